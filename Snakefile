@@ -1,0 +1,20 @@
+# Four papers on filtering over unreliable networks, rebuilt from parameters to verdicts.
+from snakemake.utils import min_version
+
+min_version("9.18")
+
+
+include: "workflow/rules/common.smk"
+include: "workflow/rules/simulate.smk"
+include: "workflow/rules/filters.smk"
+include: "workflow/rules/results.smk"
+
+
+rule all:
+    default_target: True
+    input:
+        f"{RESULTS}/manifest.json",
+
+
+onsuccess:
+    print_tally()

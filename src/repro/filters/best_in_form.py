@@ -1,0 +1,58 @@
+"""The best filter of form (6) of Liu, Xu, Shi 2012: what OMVF would be if it were optimal.
+
+Not in the paper. F and K are the regression of x(k+1) on (xh(k), y(k+1)) with exact second
+moments; no filter of that form has a smaller mean square error one step on.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from repro.filters import Filter, _second_moments
+from repro.models import LinearModel
+
+LABEL = "best of form (6)"
+SEES = ("received",)
+
+
+class State(NamedTuple):
+    estimate: np.ndarray  # (trials, n)
+    moment: np.ndarray  # second moment of [X(k), xh(k)], the same for every trial
+
+
+def regression(model: LinearModel, moment: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """F (n, n) and K (n,) that minimise the error of x(k+1), from the moment of [X(k+1), xh(k)]."""
+    n = len(model.initial_mean)
+    cross, power = _second_moments.with_measurement(model, moment)
+    size = len(moment) - n
+    regressors = np.empty((n + 1, n + 1))
+    regressors[:n, :n] = moment[size:, size:]
+    regressors[:n, n] = regressors[n, :n] = cross[size:]
+    regressors[n, n] = power
+    target = np.column_stack([moment[:n, size:], cross[:n]])
+    # The pseudo-inverse: at the first step the estimate has no variance yet.
+    coefficients = target @ np.linalg.pinv(regressors, hermitian=True)
+    return coefficients[:, :n], coefficients[:, n]
+
+
+def build(model: LinearModel, settings: dict) -> Filter:
+    n = len(model.initial_mean)
+
+    def init(streams):
+        return State(
+            np.tile(model.initial_mean, (len(streams), 1)),
+            _second_moments.initial(model, model.initial_second_moment),
+        )
+
+    def step(state, k, seen):
+        moment = _second_moments.predict(model, state.moment, k - 1)
+        transfer, gain = regression(model, moment)
+        estimate = np.matvec(transfer, state.estimate) + gain * seen.received[:, None]
+        return State(estimate, _second_moments.update(model, moment, transfer, gain))
+
+    return Filter(
+        init,
+        step,
+        mean=lambda state: state.estimate,
+        variance=lambda state: np.diagonal(_second_moments.mean_square_error(state.moment, n)),
+    )

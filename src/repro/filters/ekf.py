@@ -1,0 +1,11 @@
+"""Extended Kalman filter that takes every received value for the measurement of its step."""
+
+from repro.filters import Filter, _extended_kalman
+from repro.models import Model
+
+LABEL = "EKF"
+SEES = ("received",)
+
+
+def build(model: Model, settings: dict) -> Filter:
+    return _extended_kalman.build(model, uses=lambda seen: 1.0)

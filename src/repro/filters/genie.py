@@ -1,0 +1,55 @@
+"""Kalman filter that knows every delay: the bound below which no filter of this network comes.
+
+Not in the paper. Knowing D(k), the augmented problem is linear and Gaussian, and this is exact.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from repro.filters import Filter
+from repro.filters._delay_augmentation import augment, initial_mean, initial_moment
+from repro.models import LinearModel
+
+LABEL = "genie (knows delays)"
+SEES = ("received", "delay")
+ALREADY_KNOWN = 1e-9  # relative variance below which z(k-D) has been received before
+
+
+class State(NamedTuple):
+    estimate: np.ndarray  # of X(k), (trials, n + N + 1)
+    covariance: np.ndarray  # (trials, n + N + 1, n + N + 1)
+
+
+def build(model: LinearModel, settings: dict) -> Filter:
+    n = len(model.initial_mean)
+
+    def init(streams):
+        trials = len(streams)
+        return State(
+            np.tile(initial_mean(model), (trials, 1)),
+            np.tile(initial_moment(model, model.initial_covariance), (trials, 1, 1)),
+        )
+
+    def step(state, k, seen):
+        phi, noise = augment(model, k - 1)
+        predicted = np.matvec(phi, state.estimate)
+        covariance = phi @ state.covariance @ phi.T + noise
+        trials = np.arange(len(predicted))
+        received = n + seen.delay.astype(int)  # entry of X that y(k) is
+        cross = covariance[trials, :, received]
+        variance = covariance[trials, received, received]
+        fresh = variance > ALREADY_KNOWN * model.measurement_variance
+        gain = np.where(fresh, 1 / np.where(fresh, variance, 1.0), 0.0)[:, None] * cross
+        innovation = seen.received - predicted[trials, received]
+        return State(
+            predicted + gain * innovation[:, None],
+            covariance - gain[:, :, None] * cross[:, None, :],
+        )
+
+    return Filter(
+        init,
+        step,
+        mean=lambda state: state.estimate[:, :n],
+        variance=lambda state: np.diagonal(state.covariance, axis1=-2, axis2=-1)[:, :n],
+    )

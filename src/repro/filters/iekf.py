@@ -1,0 +1,11 @@
+"""Extended Kalman filter that knows which packets are on time and updates on those alone."""
+
+from repro.filters import Filter, _extended_kalman
+from repro.models import Model
+
+LABEL = "EKF, arrivals known"
+SEES = ("received", "arrival")
+
+
+def build(model: Model, settings: dict) -> Filter:
+    return _extended_kalman.build(model, uses=lambda seen: seen.arrival)

@@ -1,0 +1,62 @@
+"""OMVF: optimal minimum variance filter (Liu, Xu, Shi 2012, Theorem 1)."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from repro.filters import Filter, _minimum_variance
+from repro.models import LinearModel
+from repro.network.packet_delays import mean_weights
+
+LABEL = "OMVF"
+SEES = ("received",)
+
+
+class State(NamedTuple):
+    estimate: np.ndarray  # xh(k|k), (trials, 2)
+    covariance: np.ndarray  # P(k|k) as the paper claims it: the same for every trial
+    second_moment: np.ndarray  # S(k)
+
+
+def build(model: LinearModel, settings: dict) -> Filter:
+    """Settings: `alpha_rule` (Lemma 1), `qbar_sign` (+1 as printed). Sees y(k) and p alone."""
+    bound = model.network.bound
+    weights = mean_weights(model.network.arrival_probability, bound, settings["alpha_rule"])
+    c, q = model.measurement_row, model.process_covariance
+
+    def init(streams):
+        return State(
+            np.tile(model.initial_mean, (len(streams), 1)),
+            model.initial_covariance,
+            model.initial_second_moment,
+        )
+
+    def step(state, k, seen):
+        a = model.transition_matrix(k - 1)
+        terms = min(bound, k) + 1  # z(j) = 0 for j < 0: its terms are left out
+        inverses = [np.linalg.inv(model.transition_matrix(k - j)) for j in range(2, terms)]
+        update = _minimum_variance.gain(
+            [c] * terms,
+            a,
+            inverses,
+            weights,
+            state.covariance,
+            state.second_moment,
+            q,
+            model.measurement_variance,
+            settings["qbar_sign"],
+        )
+        reduced = a - np.outer(update.gain, update.row)  # (13)
+        estimate = np.matvec(reduced, state.estimate) + update.gain * seen.received[:, None]  # (6)
+        covariance = _minimum_variance.covariance_update(
+            update, c, a, weights[0], state.covariance, q
+        )
+        moment = _minimum_variance.second_moment_update(a, state.second_moment, q)
+        return State(estimate, covariance, moment)
+
+    return Filter(
+        init,
+        step,
+        mean=lambda state: state.estimate,
+        variance=lambda state: np.diagonal(state.covariance),
+    )

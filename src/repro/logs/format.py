@@ -1,0 +1,68 @@
+"""Layout of the messages and of the records around them, shared by writer and reader."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from repro.errors import ReproError
+
+PROFILE = "ros2"
+ENCODING = "cdr"
+SCHEMA_ENCODING = "ros2msg"
+CDR_LITTLE_ENDIAN = np.frombuffer(b"\x00\x01\x00\x00", dtype=np.uint8)
+PROVENANCE = "provenance"  # Metadata record: study, point, seed, steps, ...
+PARAMETERS = "parameters.json"  # Attachment: the resolved parameters of the point
+
+
+class LogError(ReproError):
+    """A log that cannot be trusted or is not the one that is wanted."""
+
+
+class Log(NamedTuple):
+    """A log in memory: values of a topic are (trials, messages a trial, fields)."""
+
+    study: str
+    point: str
+    seed: int
+    parameters: dict
+    trials: np.ndarray  # numbers of the trials, ascending
+    fields: dict[str, tuple[str, ...]]  # of each topic
+    values: dict[str, np.ndarray]
+
+    def field(self, topic: str, name: str) -> np.ndarray:
+        """One field of a topic, (trials, messages a trial)."""
+        return self.values[topic][:, :, self.fields[topic].index(name)]
+
+
+def schema_name(study: str, topic: str) -> str:
+    camel = "".join(part.capitalize() for part in f"{study}_{topic.strip('/')}".split("_"))
+    return f"repro_msgs/msg/{camel}"
+
+
+def schema_text(fields: tuple[str, ...]) -> bytes:
+    """ros2msg definition: trial and step, then one float64 a field."""
+    return "".join(
+        ["uint32 trial\n", "uint32 step\n", *(f"float64 {field}\n" for field in fields)]
+    ).encode()
+
+
+def payload_dtype(fields: int) -> np.dtype:
+    """A cdr-encoded message: encapsulation header, trial, step, values (aligned by construction)."""
+    return np.dtype(
+        [("cdr", "u1", 4), ("trial", "<u4"), ("step", "<u4"), ("values", "<f8", (fields,))]
+    )
+
+
+def record_dtype(fields: int) -> np.dtype:
+    """A whole MCAP Message record (opcode 0x05) around such a message."""
+    return np.dtype(
+        [
+            ("opcode", "u1"),
+            ("length", "<u8"),
+            ("channel", "<u2"),
+            ("sequence", "<u4"),
+            ("log_time", "<u8"),
+            ("publish_time", "<u8"),
+            ("payload", payload_dtype(fields)),
+        ]
+    )

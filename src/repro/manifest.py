@@ -1,0 +1,34 @@
+"""What the results were made with and of: versions, commit, seed, and a hash of each file."""
+
+import hashlib
+import json
+import platform
+from importlib.metadata import version
+from pathlib import Path
+
+from repro import __version__
+
+PACKAGES = ("snakemake", "numpy", "scipy", "pandas", "matplotlib", "mcap")
+
+
+def sha256(path: str | Path) -> str:
+    """Hash of a file's bytes."""
+    with open(path, "rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()
+
+
+def write_manifest(
+    path: str | Path, commit: str, root_seed: int, parameters: list[str], results: list[str]
+) -> None:
+    """Write the manifest of the given parameter and result files."""
+    content = {
+        "repro": __version__,
+        "commit": commit,
+        "root_seed": root_seed,
+        "python": platform.python_version(),
+        "platform": platform.platform(),
+        "packages": {name: version(name) for name in PACKAGES},
+        "parameters": {name: sha256(name) for name in sorted(parameters)},
+        "results": {name: sha256(name) for name in sorted(results)},
+    }
+    Path(path).write_text(json.dumps(content, indent=1) + "\n")

@@ -1,0 +1,58 @@
+"""Statistics over trials, each with the Monte Carlo standard error of that very statistic."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Statistic(NamedTuple):
+    """A statistic over trials; the quantiles are those of the single trials. Shapes (...)."""
+
+    value: np.ndarray
+    mcse: np.ndarray  # Monte Carlo standard error of value
+    median: np.ndarray
+    q10: np.ndarray
+    q90: np.ndarray
+
+
+def _quantiles(per_trial: np.ndarray) -> list[np.ndarray]:
+    return list(np.quantile(per_trial, [0.5, 0.1, 0.9], axis=0))
+
+
+def mean(per_trial: np.ndarray) -> Statistic:
+    """Mean over the trials (axis 0)."""
+    return Statistic(per_trial.mean(axis=0), mean_error(per_trial), *_quantiles(per_trial))
+
+
+def exact(value: float) -> Statistic:
+    """A number that is the same in every trial."""
+    return Statistic(value, 0.0, value, value, value)
+
+
+def mean_error(per_trial: np.ndarray) -> np.ndarray:
+    """Standard error of a mean over independent trials (axis 0); NaN for one trial."""
+    if len(per_trial) < 2:
+        return np.full(per_trial.shape[1:], np.nan)
+    return per_trial.std(axis=0, ddof=1) / np.sqrt(len(per_trial))
+
+
+def root_mean(per_trial: np.ndarray) -> Statistic:
+    """Root of the mean over the trials of squared errors, with its jackknife standard error."""
+    left_out = leave_one_out(per_trial, np.sqrt)
+    value = np.sqrt(per_trial.mean(axis=0))
+    return Statistic(value, jackknife_error(left_out), *_quantiles(np.sqrt(per_trial)))
+
+
+def leave_one_out(per_trial: np.ndarray, function) -> np.ndarray:
+    """function(mean over all trials but one), one row for each trial left out."""
+    trials = len(per_trial)
+    if trials < 2:
+        return np.full(per_trial.shape, np.nan)
+    rest = (per_trial.sum(axis=0) - per_trial) / (trials - 1)
+    return function(np.maximum(rest, 0.0))
+
+
+def jackknife_error(left_out: np.ndarray) -> np.ndarray:
+    """Jackknife standard error from the statistics with one trial left out each (axis 0)."""
+    trials = len(left_out)
+    return np.sqrt((trials - 1) / trials * ((left_out - left_out.mean(axis=0)) ** 2).sum(axis=0))

@@ -1,0 +1,78 @@
+"""Coordinated turn and range measurement (Liu, Xu, Shi 2012, (40)-(42)).
+
+State (px, py, vx, vy, omega): m, m, m/s, m/s, rad/s. The printed "k omega(k)" is read as the turn
+angle T omega over the sampling time T. det f' = 1 for every state, so that f' is invertible.
+"""
+
+import numpy as np
+
+SERIES_BELOW = 1e-3  # |omega T| below which the 0/0 quotients are taken from their series
+RANGE_FLOOR = 1e-6  # m; the bearing of a target on its sensor is undefined
+
+
+def _quotients(omega: np.ndarray, time: float):
+    """sin(a)/omega and (cos(a) - 1)/omega for a = omega T, and their derivatives by omega."""
+    angle = omega * time
+    near = np.abs(angle) < SERIES_BELOW
+    safe = np.where(near, 1.0, omega)
+    a = safe * time
+    sine, cosine = np.sin(a), np.cos(a)
+    along = np.where(near, time * (1 - angle**2 / 6), sine / safe)
+    across = np.where(near, -time * angle / 2 * (1 - angle**2 / 12), (cosine - 1) / safe)
+    d_along = np.where(near, -(time**2) * angle / 3, (a * cosine - sine) / safe**2)
+    d_across = np.where(
+        near, -(time**2) / 2 * (1 - angle**2 / 4), -(a * sine + cosine - 1) / safe**2
+    )
+    return along, across, d_along, d_across
+
+
+def transition(x: np.ndarray, time: float) -> np.ndarray:
+    """f(x) of (40) over the time T in s; x of shape (..., 5)."""
+    px, py, vx, vy, omega = np.moveaxis(x, -1, 0)
+    along, across, _, _ = _quotients(omega, time)
+    sine, cosine = np.sin(omega * time), np.cos(omega * time)
+    return np.stack(
+        [
+            px + along * vx + across * vy,
+            py - across * vx + along * vy,
+            cosine * vx - sine * vy,
+            sine * vx + cosine * vy,
+            omega,
+        ],
+        axis=-1,
+    )
+
+
+def transition_jacobian(x: np.ndarray, time: float) -> np.ndarray:
+    """f'(x), shape (..., 5, 5); last column as printed below (41)."""
+    vx, vy, omega = x[..., 2], x[..., 3], x[..., 4]
+    along, across, d_along, d_across = _quotients(omega, time)
+    sine, cosine = np.sin(omega * time), np.cos(omega * time)
+    jacobian = np.zeros((*x.shape, 5))
+    jacobian[..., range(5), range(5)] = 1.0
+    jacobian[..., 0, 2] = along
+    jacobian[..., 0, 3] = across
+    jacobian[..., 1, 2] = -across
+    jacobian[..., 1, 3] = along
+    jacobian[..., 2, 2] = cosine
+    jacobian[..., 2, 3] = -sine
+    jacobian[..., 3, 2] = sine
+    jacobian[..., 3, 3] = cosine
+    jacobian[..., 0, 4] = d_along * vx + d_across * vy
+    jacobian[..., 1, 4] = -d_across * vx + d_along * vy
+    jacobian[..., 2, 4] = -time * sine * vx - time * cosine * vy
+    jacobian[..., 3, 4] = time * cosine * vx - time * sine * vy
+    return jacobian
+
+
+def distance(x: np.ndarray, sensor: np.ndarray) -> np.ndarray:
+    """h(x) of (42): range in m from position (..., 5) to sensor (..., 2)."""
+    return np.hypot(x[..., 0] - sensor[..., 0], x[..., 1] - sensor[..., 1])
+
+
+def distance_jacobian(x: np.ndarray, sensor: np.ndarray) -> np.ndarray:
+    """Row H of (42), shape (..., 5); two entries are not zero (the printed third is a misprint)."""
+    row = np.zeros(x.shape)
+    offset = x[..., :2] - sensor
+    row[..., :2] = offset / np.maximum(distance(x, sensor), RANGE_FLOOR)[..., None]
+    return row

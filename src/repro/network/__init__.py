@@ -1,0 +1,1 @@
+"""What the network does to measurements: one file an impairment."""

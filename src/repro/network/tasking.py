@@ -1,0 +1,60 @@
+"""Nearest-sensor scheduling in a closed loop (Liu, Xu, Shi 2012, Sec. 3.4, Algorithm 1).
+
+The sensor that measures at step k is the one nearest to the target's predicted position, so what
+a filter receives depends on its own predictions. The log holds the range to every sensor; this
+module hands the filter the one that it would have received, without telling it from when.
+"""
+
+import numpy as np
+
+
+def nearest(positions: np.ndarray, target: np.ndarray) -> np.ndarray:
+    """Index of the sensor nearest to each target; positions (trials, sensors, 2), target (trials, 2)."""
+    offset = positions - target[:, None, :]
+    return np.argmin((offset**2).sum(axis=-1), axis=-1)
+
+
+class ScheduledRanges:
+    """The channel of a batch of trials whose sensor is tasked by the filter's prediction.
+
+    positions (trials, sensors, 2) in m; ranges (trials, steps, sensors) in m; origin and
+    without_packet (trials, steps) as the network decided them; `offered` are further channels;
+    `first` (2,) is the position on which step 0 is scheduled; packets are at most `bound` late.
+    `true_positions` (trials, steps, 2) schedules on the truth instead (a reading).
+    """
+
+    def __init__(
+        self, positions, ranges, origin, without_packet, offered, first, bound, true_positions=None
+    ):
+        self._positions, self._ranges, self._offered = positions, ranges, offered
+        self._bound = bound
+        self._origin, self._without_packet = origin.astype(int), without_packet
+        self._true_positions = true_positions
+        self._trials = np.arange(len(positions))
+        self._tasked = np.zeros(origin.shape, dtype=int)
+        self._task(0, np.tile(first, (len(positions), 1)))
+
+    def _task(self, k: int, target: np.ndarray) -> None:
+        if self._true_positions is not None:
+            target = self._true_positions[:, k]
+        self._tasked[:, k] = nearest(self._positions, target)
+
+    def _position(self, k: int) -> np.ndarray:
+        return self._positions[self._trials, self._tasked[:, k]]
+
+    def at(self, k: int, predicted: np.ndarray) -> dict:
+        """What the network offers at step k to the filter that predicted (trials, n) for it."""
+        self._task(k, predicted[:, :2])
+        origin = self._origin[:, k]
+        sent = np.maximum(origin, 0)
+        late = self._ranges[self._trials, sent, self._tasked[self._trials, sent]]
+        return {
+            "received": np.where(origin >= 0, late, self._without_packet[:, k]),
+            "sensor": self._position(k),
+            "earlier_sensors": [self._position(k - i) for i in range(1, min(self._bound, k) + 1)],
+            **{name: channel[:, k] for name, channel in self._offered.items()},
+        }
+
+    def record(self) -> dict:
+        """What the closed loop decided: index of the tasked sensor, (trials, steps)."""
+        return {"tasked": self._tasked}

@@ -1,0 +1,4 @@
+"""Drawing: one look for all figures. A figure script gives NEEDS, CAPTION and draw(results).
+
+NEEDS names what the figure reads, as literals: `tables` (studies), `points` (study -> points).
+"""

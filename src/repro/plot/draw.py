@@ -1,0 +1,15 @@
+"""Run a figure script on the results."""
+
+import importlib.util
+from pathlib import Path
+
+from repro.plot import style
+from repro.results import Results
+
+
+def draw(script: str | Path, results: Results, path: str | Path) -> None:
+    """Load the figure script and save what its draw(results) returns."""
+    spec = importlib.util.spec_from_file_location(Path(script).stem, script)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    style.save(module.draw(results), path)

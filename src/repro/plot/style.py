@@ -1,0 +1,54 @@
+"""The look of the figures, and the names and colours of the filters in them."""
+
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+from matplotlib import pyplot  # noqa: E402  (the backend is chosen first)
+from matplotlib.figure import Figure  # noqa: E402
+
+from repro.results import Catalogue  # noqa: E402
+from repro.run import filter_module  # noqa: E402
+
+# Okabe and Ito's palette: told apart with any kind of colour vision.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999933")
+MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
+PUBLISHED = dict(color="black", marker="_", linestyle="none", markersize=14, markeredgewidth=1.6)
+
+pyplot.rcParams.update(
+    {
+        "figure.dpi": 110,
+        "figure.constrained_layout.use": True,
+        "font.size": 9.5,
+        "axes.grid": True,
+        "grid.alpha": 0.3,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "legend.frameon": False,
+    }
+)
+
+
+def figure(rows: int = 1, columns: int = 1, size: tuple[float, float] = (7.0, 4.3), **axes):
+    """A figure and its axes."""
+    return pyplot.subplots(rows, columns, figsize=size, **axes)
+
+
+def label(filter_: str) -> str:
+    """The name of a filter in tables and figures."""
+    return filter_module(filter_).LABEL
+
+
+def look(catalogue: Catalogue, study: str, filter_: str) -> dict:
+    """Colour and marker of a filter, by its place in the catalogue: a new filter changes none."""
+    order = list(dict.fromkeys(f for filters in catalogue[study].values() for f in filters))
+    place = order.index(filter_)
+    return {"color": COLOURS[place % len(COLOURS)], "marker": MARKERS[place % len(MARKERS)]}
+
+
+def save(drawn: Figure, path: str | Path) -> None:
+    """Write a PNG whose bytes depend on the drawing alone."""
+    drawn.savefig(path, metadata={"Software": None})
+    pyplot.close(drawn)

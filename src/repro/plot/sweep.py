@@ -1,0 +1,29 @@
+"""A statistic of every filter over a swept parameter, with its Monte Carlo band."""
+
+from matplotlib.axes import Axes
+
+from repro.plot import style
+from repro.results import Results
+
+BAND = 2  # standard errors either side
+
+
+def sweep(
+    axes: Axes, results: Results, study: str, points: dict[float, str], metric: str, component: str
+) -> None:
+    """Draw one line a filter: `points` maps the swept value to the point's name."""
+    table = results.table(study)
+    table = table[(table["metric"] == metric) & (table["component"] == component)]
+    values = list(points)
+    for filter_ in results.filters(study, points[values[0]]):
+        rows = table[table["filter"] == filter_].set_index("point").loc[list(points.values())]
+        look = style.look(results.catalogue, study, filter_)
+        axes.plot(values, rows["value"], label=style.label(filter_), markersize=4, lw=1.3, **look)
+        axes.fill_between(
+            values,
+            rows["value"] - BAND * rows["mcse"],
+            rows["value"] + BAND * rows["mcse"],
+            color=look["color"],
+            alpha=0.2,
+            lw=0,
+        )

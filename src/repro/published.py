@@ -1,0 +1,180 @@
+"""The diff: what the papers print, what came out here, and whether the two agree."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from repro.claims import overall
+from repro.errors import ReproError
+from repro.tables import write_csv
+
+KEYS = ["study", "point", "filter", "metric", "component"]
+COLUMNS = ["item", *KEYS, "value", "digits", "kind", "trials", "expect", "reason"]
+VERDICTS = {"value": ("match", "differs"), "claim": ("holds", "fails", "undecided")}
+REPRODUCED = ("match", "holds")
+
+
+def read_published(path: str | Path) -> pd.DataFrame:
+    """A paper's published values and claims, checked; raises ReproError in one line."""
+    try:
+        rows = pd.read_csv(path, keep_default_na=False, dtype=str)
+    except (OSError, ValueError) as error:
+        raise ReproError(f"{path}: cannot be read: {error}") from None
+    if list(rows.columns) != COLUMNS:
+        raise ReproError(f"{path}: the columns must be {', '.join(COLUMNS)}")
+    for i, row in enumerate(rows.itertuples(), start=2):
+        where = f"{path}: line {i} ({row.item})"
+        if row.kind not in VERDICTS:
+            raise ReproError(f"{where}: kind '{row.kind}' is not one of {', '.join(VERDICTS)}")
+        if row.expect not in VERDICTS[row.kind]:
+            raise ReproError(
+                f"{where}: expect '{row.expect}' is not one of {', '.join(VERDICTS[row.kind])}"
+            )
+        if row.expect not in REPRODUCED and not row.reason:
+            raise ReproError(f"{where}: expect '{row.expect}' needs a reason")
+        if row.kind == "value":
+            for name in ("value", "digits", "trials"):
+                try:
+                    float(getattr(row, name))
+                except ValueError:
+                    raise ReproError(f"{where}: {name} must be a number") from None
+    return rows
+
+
+def compare_value(
+    published: float, digits: int, their_trials: int, ours: pd.Series, tolerance: float
+) -> dict:
+    """One published value against our statistic.
+
+    The paper prints no error of its own: its is taken as our spread over trials at its number of
+    trials. Within `tolerance` standard errors of both, plus half the last printed digit: match.
+    """
+    their_error = ours["mcse"] * np.sqrt(ours["trials"] / their_trials)
+    error = np.hypot(ours["mcse"], their_error)
+    rounding = 0.5 * 10.0**-digits
+    difference = ours["value"] - published
+    allowed = tolerance * error + rounding
+    return {
+        "published": published,
+        "ours": ours["value"],
+        "mcse": ours["mcse"],
+        "their_error": their_error,
+        "allowed": allowed,
+        "z": difference / error if error > 0 else np.nan,
+        "verdict": "match" if abs(difference) <= allowed else "differs",
+    }
+
+
+def compare(paper: str, published: pd.DataFrame, tables, claims, tolerance: float, source: str):
+    """Rows of the diff of one paper, in the order of its published file."""
+    index = tables.set_index(KEYS).sort_index()
+    parts = dict(list(claims.groupby("item", sort=False)))
+    for row in published.itertuples():
+        said = {"paper": paper, "item": row.item, "kind": row.kind}
+        if row.kind == "value":
+            key = tuple(getattr(row, name) for name in KEYS)
+            if key not in index.index:
+                raise ReproError(f"{source}: {row.item}: no table has a row for {', '.join(key)}")
+            verdict = compare_value(
+                float(row.value), int(row.digits), int(row.trials), index.loc[key], tolerance
+            )
+            said |= dict(zip(KEYS, key, strict=True)) | verdict | {"evidence": ""}
+        else:
+            if row.item not in parts:
+                raise ReproError(f"{source}: {row.item}: no claim of this name is tested")
+            tested = parts.pop(row.item)
+            verdicts = list(tested["verdict"])
+            said |= {
+                "verdict": overall(verdicts),
+                "statement": tested["statement"].iloc[0],
+                "evidence": _evidence(tested),
+            }
+        yield said | {
+            "expect": row.expect,
+            "as_expected": said["verdict"] == row.expect,
+            "reason": row.reason,
+        }
+    if parts:
+        raise ReproError(f"{source}: the tested claim '{next(iter(parts))}' has no row here")
+
+
+def _evidence(parts: pd.DataFrame) -> str:
+    counts = parts["verdict"].value_counts()
+    said = ", ".join(f"{counts[v]} {v}" for v in VERDICTS["claim"] if v in counts)
+    ratio = parts["difference"] / parts["mcse"].clip(lower=1e-300)
+    worst = parts.loc[ratio.fillna(-np.inf).idxmax()]
+    return (
+        f"{len(parts)} comparisons: {said}; least favourable: {worst['part']}: "
+        f"{worst['difference']:.4g} ± {worst['mcse']:.2g}"
+    )
+
+
+def diff(papers: dict[str, dict], tolerance: float, csv: str, markdown: str, tally: str) -> None:
+    """Write the diff of all papers as CSV and Markdown, and the tally.
+
+    `papers` gives for each paper the files `published`, `claims` and `tables`.
+    """
+    rows = []
+    for paper, files in papers.items():
+        published = read_published(files["published"])
+        tables = pd.concat([pd.read_csv(table) for table in files["tables"]])
+        claims = pd.read_csv(files["claims"])
+        rows += compare(paper, published, tables, claims, tolerance, files["published"])
+    table = pd.DataFrame(rows)
+    write_csv(table, csv)
+    lines = tally_lines(table)
+    Path(tally).write_text("\n".join(lines) + "\n")
+    Path(markdown).write_text(_markdown(table, lines))
+
+
+def tally_lines(table: pd.DataFrame) -> list[str]:
+    """One line a paper: how many published values match, how many claims hold."""
+    lines = []
+    for paper, rows in table.groupby("paper", sort=False):
+        said = []
+        for kind, verdicts in VERDICTS.items():
+            found = rows.loc[rows["kind"] == kind, "verdict"]
+            counts = ", ".join(f"{(found == v).sum()} {v}" for v in verdicts)
+            said.append(f"{len(found)} {kind}s: {counts}")
+        surprises = int((~rows["as_expected"]).sum())
+        lines.append(f"{paper}: {'; '.join(said)}; {surprises} not as expected")
+    return lines
+
+
+def _markdown(table: pd.DataFrame, lines: list[str]) -> str:
+    text = ["# Published against reproduced", "", *(f"- {line}" for line in lines), ""]
+    for paper, rows in table.groupby("paper", sort=False):
+        # What does not reproduce stands on top.
+        ranked = rows.assign(rank=rows["verdict"].isin(REPRODUCED)).sort_values(
+            "rank", kind="stable"
+        )
+        text += [f"## {paper}: values", ""]
+        text += ["| item | published | ours | standard error (ours, theirs) | z | verdict | reason |"]
+        text += ["|---|---|---|---|---|---|---|"]
+        for row in ranked[ranked["kind"] == "value"].itertuples():
+            z = "" if np.isnan(row.z) else f"{row.z:+.1f}"
+            text.append(
+                f"| {row.item} | {row.published:g} | {row.ours:.4g} | "
+                f"{row.mcse:.2g}, {row.their_error:.2g} | {z} | {row.verdict} | {row.reason} |"
+            )
+        text += ["", f"## {paper}: claims", ""]
+        text += ["| item | claim | evidence | verdict | reason |", "|---|---|---|---|---|"]
+        for row in ranked[ranked["kind"] == "claim"].itertuples():
+            text.append(
+                f"| {row.item} | {row.statement} | {row.evidence} | {row.verdict} | {row.reason} |"
+            )
+        text.append("")
+    return "\n".join(text)
+
+
+def verify(csv: str | Path) -> None:
+    """Raise ReproError if a verdict is not the expected one; the message names each."""
+    table = pd.read_csv(csv)
+    surprises = table[~table["as_expected"]]
+    if len(surprises):
+        said = "; ".join(
+            f"{row.paper}, {row.item}: {row.verdict}, expected {row.expect}"
+            for row in surprises.itertuples()
+        )
+        raise ReproError(f"{csv}: {said}")

@@ -1,0 +1,64 @@
+"""What the jobs have left under results/, for the tables, claims and figures that need it."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from repro.logs import Log, read_log
+from repro.studies import Runs
+
+Catalogue = dict[str, dict[str, list[str]]]  # study -> point -> filters that run on it
+
+
+class Results:
+    """Logs, runs and tables by name, all shards together."""
+
+    def __init__(self, root: str | Path, catalogue: Catalogue, shards: int):
+        self.root, self.catalogue, self.shards = Path(root), catalogue, shards
+
+    def filters(self, study: str, point: str) -> list[str]:
+        """Filters that run on a point, in the order of the catalogue of rules."""
+        return self.catalogue[study][point]
+
+    def log(self, study: str, point: str) -> Log:
+        """The log of a point."""
+        folder = self.root / "logs" / study / point
+        logs = [read_log(folder / f"{shard}.mcap") for shard in range(self.shards)]
+        return logs[0]._replace(
+            trials=np.concatenate([log.trials for log in logs]),
+            values={
+                topic: np.concatenate([log.values[topic] for log in logs])
+                for topic in logs[0].values
+            },
+        )
+
+    def runs(self, study: str, point: str, filter_: str) -> Runs:
+        """The runs of a filter on a point."""
+        folder = self.root / "runs" / study / point / filter_
+        parts = [np.load(folder / f"{shard}.npz") for shard in range(self.shards)]
+        claimed = [part["claimed"] for part in parts if "claimed" in part]
+        shared = not claimed or claimed[0].ndim == 2
+        names = [name for name in parts[0].files if name.startswith("recorded_")]
+        return Runs(
+            error=np.concatenate([part["error"] for part in parts]),
+            claimed=(claimed[0] if claimed else None) if shared else np.concatenate(claimed),
+            degenerate=np.concatenate([part["degenerate"] for part in parts]),
+            recorded={
+                name.removeprefix("recorded_"): np.concatenate([part[name] for part in parts])
+                for name in names
+            },
+        )
+
+    def table(self, study: str) -> pd.DataFrame:
+        """The table of a study, in long form."""
+        return pd.read_csv(self.root / "tables" / f"{study}.csv")
+
+    def curves(self, study: str) -> pd.DataFrame:
+        """The curves over k of a study, in long form."""
+        return pd.read_csv(self.root / "curves" / f"{study}.csv")
+
+    def diff(self, paper: str) -> pd.DataFrame:
+        """The published values of a paper beside ours."""
+        rows = pd.read_csv(self.root / "diff.csv")
+        return rows[(rows["paper"] == paper) & (rows["kind"] == "value")]

@@ -1,0 +1,113 @@
+"""Run one filter over one log, batched over trials."""
+
+import os
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+
+from repro.channels import Seen
+from repro.errors import ReproError
+from repro.logs import Log, read_log
+from repro.streams import Streams
+from repro.studies import Runs, study_module
+
+TRIALS_A_BLOCK = 250  # small enough for a block's covariances to stay in the cache
+
+
+def filter_module(name: str) -> ModuleType:
+    """The module of a filter by its name, checked for what the runner needs of it."""
+    try:
+        module = import_module(f"repro.filters.{name}")
+    except ModuleNotFoundError as error:
+        if error.name != f"repro.filters.{name}":
+            raise
+        raise ReproError(f"filter {name}: there is no src/repro/filters/{name}.py") from None
+    for attribute in ("LABEL", "SEES", "build"):
+        if not hasattr(module, attribute):
+            raise ReproError(f"filter {name}: src/repro/filters/{name}.py defines no {attribute}")
+    return module
+
+
+def run(log: Log, name: str, settings: dict) -> tuple[np.ndarray, Runs]:
+    """Estimates (trials, steps, n) and runs of a filter on every trial of a log."""
+    blocks = [
+        _run_block(log, name, settings, slice(first, first + TRIALS_A_BLOCK))
+        for first in range(0, len(log.trials), TRIALS_A_BLOCK)
+    ]
+    estimates, claimed, degenerate, recorded = zip(*blocks, strict=True)
+    estimate = np.concatenate(estimates)
+    error = study_module(log.study).error(log, estimate)
+    shared = claimed[0] is None or claimed[0].ndim == 2
+    return estimate, Runs(
+        error=error,
+        claimed=claimed[0] if shared else np.concatenate(claimed),
+        degenerate=np.concatenate(degenerate),
+        recorded={key: np.concatenate([r[key] for r in recorded]) for key in recorded[0]},
+    )
+
+
+def _run_block(log: Log, name: str, settings: dict, trials: slice):
+    study, module = study_module(log.study), filter_module(name)
+    model = study.model(log.parameters)
+    filter_ = module.build(model, settings)
+    channels = study.channels(log, trials, log.parameters)
+    numbers = log.trials[trials].tolist()
+    steps = log.values["/truth"].shape[1]
+    state = filter_.init(Streams(log.seed, log.study, f"filter:{name}", numbers))
+    estimate = np.empty((len(numbers), steps, len(model.initial_mean)))
+    estimate[:, 0] = _checked(filter_.mean(state), name, 0, estimate[:, 0].shape, numbers)
+    claimed = [filter_.variance(state)] if filter_.variance else None
+    for k in range(1, steps):
+        predicted = (filter_.predicted or _no_prediction(filter_))(state, k)
+        seen = Seen(name, module.SEES, channels.at(k, predicted))
+        state = filter_.step(state, k, seen)
+        estimate[:, k] = _checked(filter_.mean(state), name, k, estimate[:, k].shape, numbers)
+        if claimed is not None:
+            claimed.append(filter_.variance(state))
+    if claimed is not None:
+        claimed = np.stack(claimed, axis=-2)  # (steps, n) if the same for every trial
+    guarded = filter_.degenerate(state) if filter_.degenerate else np.zeros(len(numbers))
+    return estimate, claimed, guarded, channels.record()
+
+
+def _no_prediction(filter_):
+    """A filter without a prediction of its own is scheduled on its last estimate."""
+    return lambda state, k: filter_.mean(state)
+
+
+def _checked(mean, name: str, k: int, shape: tuple[int, int], numbers: list[int]) -> np.ndarray:
+    mean = np.asarray(mean)
+    if mean.shape != shape:
+        raise ReproError(
+            f"filter {name}: mean(state) has shape {mean.shape} at step {k}; "
+            f"wanted is (trials, n) = {shape}"
+        )
+    finite = np.isfinite(mean).all(axis=1)
+    if not finite.all():
+        trial = numbers[int(finite.argmin())]
+        raise ReproError(f"filter {name}: the estimate of trial {trial} at step {k} is not finite")
+    return mean
+
+
+def run_filter(
+    log_path: str, study: str, point: str, name: str, settings: dict, path: str | Path
+) -> None:
+    """Read a log, run the filter and write its runs; the file appears whole or not at all."""
+    log = read_wanted_log(log_path, study, point)
+    _, runs = run(log, name, settings)
+    arrays = {f"recorded_{key}": value for key, value in runs.recorded.items()}
+    if runs.claimed is not None:
+        arrays["claimed"] = runs.claimed
+    part = Path(f"{path}.part")
+    with part.open("wb") as stream:
+        np.savez(stream, trials=log.trials, error=runs.error, degenerate=runs.degenerate, **arrays)
+    os.replace(part, path)
+
+
+def read_wanted_log(path: str, study: str, point: str) -> Log:
+    """The log at `path`, checked to be of that study and point with that study's topics."""
+    log = read_log(path, study=study, point=point)
+    wanted = study_module(study).topics(log.parameters)
+    return log if log.fields == wanted else read_log(path, wanted, study, point)

@@ -1,0 +1,69 @@
+"""Which source files a job reaches: the modules of this package that its imports lead to."""
+
+import ast
+from functools import cache
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parent.parent
+
+
+@cache
+def code_files(*starts: str) -> list[str]:
+    """Files that the given modules (dotted names) or scripts (paths ending in .py) reach.
+
+    Paths are relative to the folder that holds src/, sorted; a script itself is not listed.
+    """
+    reached: set[Path] = set()
+    todo: list[Path] = []
+    for start in starts:
+        if start.endswith(".py"):
+            todo += _imported(Path(start))
+        else:
+            todo += _module_files(start)
+    while todo:
+        file = todo.pop()
+        if file not in reached:
+            reached.add(file)
+            todo += _imported(file)
+    return sorted(str(file.relative_to(SOURCE.parent)) for file in reached)
+
+
+def _module_files(module: str) -> list[Path]:
+    """Files of a module and of the packages above it; none if it is not of this package."""
+    parts = module.split(".")
+    if parts[0] != "repro":
+        return []
+    packages = [SOURCE.joinpath(*parts[:i], "__init__.py") for i in range(1, len(parts))]
+    for candidate in (
+        SOURCE.joinpath(*parts).with_suffix(".py"),
+        SOURCE.joinpath(*parts) / "__init__.py",
+    ):
+        if candidate.exists():
+            return [*packages, candidate]
+    return []
+
+
+@cache
+def _imported(file: Path) -> list[Path]:
+    files = []
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                files += _module_files(alias.name)
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            files += _module_files(node.module)
+            for alias in node.names:
+                files += _module_files(f"{node.module}.{alias.name}")
+    return files
+
+
+def constants(script: str) -> dict:
+    """Literal constants at the top of a script, read without running it."""
+    found = {}
+    for node in ast.parse(Path(script).read_text()).body:
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
+            try:
+                found[node.targets[0].id] = ast.literal_eval(node.value)
+            except ValueError:
+                continue
+    return found

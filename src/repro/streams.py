@@ -1,0 +1,40 @@
+"""Named random streams: one generator a trial, independent of shards, points and other filters."""
+
+from collections.abc import Callable, Iterable
+from zlib import crc32
+
+import numpy as np
+
+
+class Streams:
+    """The streams of one role (process, sensor, network, prior, `filter:<name>`), one a trial.
+
+    A stream is named by (root seed, study, role, trial) alone, so that a shard, a point of a
+    sweep or one more filter changes no number of any other.
+    """
+
+    def __init__(self, root_seed: int, study: str, role: str, trials: Iterable[int]):
+        key = (crc32(study.encode()), crc32(role.encode()))
+        self.generators = [
+            np.random.Generator(
+                np.random.PCG64(np.random.SeedSequence(root_seed, spawn_key=(*key, trial)))
+            )
+            for trial in trials
+        ]
+
+    def __len__(self) -> int:
+        return len(self.generators)
+
+    def _draw(self, shape: tuple[int, ...], fill: Callable) -> np.ndarray:
+        drawn = np.empty((len(self), *shape))
+        for generator, row in zip(self.generators, drawn, strict=True):
+            fill(generator, row)
+        return drawn
+
+    def standard_normal(self, *shape: int) -> np.ndarray:
+        """Standard normals, shape (trials, *shape)."""
+        return self._draw(shape, lambda generator, row: generator.standard_normal(out=row))
+
+    def uniform(self, *shape: int) -> np.ndarray:
+        """Uniforms on [0, 1), shape (trials, *shape)."""
+        return self._draw(shape, lambda generator, row: generator.random(out=row))

@@ -1,0 +1,31 @@
+"""The studies: one file each, which joins a model, a network, a log and the paper's metrics.
+
+A study module gives
+    topics(parameters)              fields of each topic of its logs
+    period(parameters)              seconds of log clock a step
+    simulate(parameters, streams)   values of each topic; streams(role) gives that role's streams
+    model(parameters)               what a filter knows of system and network
+    channels(log, trials, parameters)   what a filter may see of a slice of trials
+    error(log, estimate)            error of every state component, (trials, steps, n)
+    rows(runs), curves(runs)        (metric, component, Statistic) for the tables and over k
+"""
+
+from importlib import import_module
+from types import ModuleType
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Runs(NamedTuple):
+    """What a filter's jobs leave of one (study, point), all trials in order."""
+
+    error: np.ndarray  # (trials, steps, n)
+    claimed: np.ndarray | None  # claimed error variances, ([trials,] steps, n)
+    degenerate: np.ndarray  # guarded updates, (trials,)
+    recorded: dict[str, np.ndarray]  # what the closed loop decided
+
+
+def study_module(name: str) -> ModuleType:
+    """The module of a study by its name."""
+    return import_module(f"repro.studies.{name}")

@@ -1,0 +1,99 @@
+"""The linear example with packet delays (Liu, Xu, Shi 2012, Sec. 4.1; Figures 1, 2)."""
+
+import numpy as np
+
+from repro import metrics
+from repro.channels import Recorded
+from repro.models import DelayNetwork, LinearModel, linear_plant
+from repro.network import packet_delays
+
+COMPONENTS = ("x1", "x2")
+
+
+def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
+    flags = packet_delays.flags_per_step(parameters["packet_bound"], lossy=False)
+    return {
+        "/truth": COMPONENTS,
+        "/sensor": ("z",),
+        "/received": ("y", "uncertain"),
+        "/network": (*(f"gamma_{i}" for i in range(flags)), "delay"),
+    }
+
+
+def period(parameters: dict) -> float:
+    return 1.0  # the paper gives its example no unit of time
+
+
+def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
+    steps, bound = parameters["steps"], parameters["packet_bound"]
+    entry = np.array(parameters["process_noise_entry"])
+    scale = np.sqrt(parameters["process_noise_variance"])
+    noise = scale * streams("process").standard_normal(steps)[:, :, None] * entry
+    truth = linear_plant.trajectory(parameters["true_initial_state"], noise, parameters["sine_period"])
+    v = np.sqrt(parameters["measurement_variance"]) * streams("sensor").standard_normal(steps + 1)
+    z = truth @ np.array(parameters["measurement_row"]) + v
+    flags = packet_delays.arrival_flags(
+        streams("network").uniform(
+            packet_delays.flags_per_step(bound, lossy=False), steps + 1
+        ),  # flag by flag: a smaller N shares its flags with a larger one
+        parameters["arrival_probability"],
+    )
+    delay = packet_delays.delays(flags, bound)
+    y = packet_delays.received(z, v, delay)
+    uncertain = np.where(flags[:, 0] == 1, z, v)  # the channel of reference [2]
+    return {
+        "/truth": truth,
+        "/sensor": z[:, :, None],
+        "/received": np.stack([y, uncertain], axis=-1),
+        "/network": np.concatenate(
+            [np.moveaxis(flags, 1, -1), delay[:, :, None].astype(float)], axis=-1
+        ),
+    }
+
+
+def model(parameters: dict) -> LinearModel:
+    entry = np.array(parameters["process_noise_entry"])
+    return LinearModel(
+        transition_matrix=lambda k: linear_plant.transition_matrix(k, parameters["sine_period"]),
+        measurement_row=np.array(parameters["measurement_row"]),
+        process_covariance=parameters["process_noise_variance"] * np.outer(entry, entry),
+        measurement_variance=parameters["measurement_variance"],
+        initial_mean=np.array(parameters["initial_estimate"]),
+        initial_covariance=np.array(parameters["initial_covariance"]),
+        initial_second_moment=np.array(parameters["initial_second_moment"]),
+        network=DelayNetwork(parameters["arrival_probability"], parameters["packet_bound"]),
+    )
+
+
+def channels(log, trials: slice, parameters: dict) -> Recorded:
+    delay = log.field("/network", "delay")[trials]
+    return Recorded(
+        received=log.field("/received", "y")[trials],
+        uncertain=log.field("/received", "uncertain")[trials],
+        arrival=(delay == 0).astype(float),
+        delay=delay,
+    )
+
+
+def error(log, estimate: np.ndarray) -> np.ndarray:
+    return estimate - log.values["/truth"]
+
+
+def rows(runs):
+    squared = (runs.error[:, 1:] ** 2).mean(axis=1)  # over k = 1 ... 300, (trials, 2)
+    for i, component in enumerate(COMPONENTS):
+        yield "mse", component, metrics.mean(squared[:, i])
+        yield "rmse", component, metrics.root_mean(squared[:, i])
+        if runs.claimed is not None:
+            claimed = runs.claimed[..., 1:, i].mean(axis=-1)
+            statistic = metrics.exact(claimed) if claimed.ndim == 0 else metrics.mean(claimed)
+            yield "claimed_mse", component, statistic
+
+
+def curves(runs):
+    for i, component in enumerate(COMPONENTS):
+        yield "rmse", component, metrics.root_mean(runs.error[:, :, i] ** 2)
+
+
+def lost(runs):
+    return None  # a stable linear plant cannot be lost

@@ -1,0 +1,172 @@
+# Configuration, parameters and paths, and what the rules of the filters are written with.
+import fnmatch
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+SOURCE = Path(workflow.basedir) / "src"
+# Before any installed copy, for this process and for its jobs: the code is this folder's.
+sys.path.insert(0, str(SOURCE))
+os.environ["PYTHONPATH"] = os.pathsep.join(
+    filter(None, [str(SOURCE), os.environ.get("PYTHONPATH")])
+)
+
+from repro.errors import ReproError
+from repro.params import load_paper, load_run
+from repro.sources import code_files, constants
+
+PARAMETER_FILES = sorted(
+    path for path in Path("params").glob("*.yaml") if path.name != "run.yaml"
+)
+try:
+    RUN = load_run("params/run.yaml", "workflow/schemas", dict(config))
+    PAPERS = {
+        path.stem: load_paper(path, "workflow/schemas") for path in PARAMETER_FILES
+    }
+except ReproError as error:
+    sys.exit(f"error: {error}")
+
+STUDIES = {
+    study: points for paper in PAPERS.values() for study, points in paper.studies.items()
+}
+SHARDS = range(RUN["shards"])
+RESULTS = f"{RUN['into']}/results" if "into" in RUN else "results"
+FIGURES = f"{RUN['into']}/figures" if "into" in RUN else "figures"
+LOG = f"{RESULTS}/logs/{{study}}/{{point}}/{{shard}}.mcap"
+ENVIRONMENT = "../envs/repro.yaml"
+RUN_FILTER = "../scripts/run_filter.py"
+
+# Which filters run on which points: filled by runs(), in the order of the rules.
+CATALOGUE = {study: {point: [] for point in points} for study, points in STUDIES.items()}
+
+
+wildcard_constraints:
+    study="[a-z0-9_]+",
+    point="[^/]+",
+    shard="[0-9]+",
+    paper="[a-z0-9_]+",
+    figure="[a-z0-9_]+",
+
+
+def runs(name, studies, points="*"):
+    """Output of a filter's rule. Registers the filter on the studies' points that match."""
+    for study in studies:
+        if study not in CATALOGUE:
+            sys.exit(
+                f"error: rule {name}: there is no study '{study}'; "
+                f"known are {', '.join(CATALOGUE)}"
+            )
+        patterns = [points] if isinstance(points, str) else points
+        for point, filters in CATALOGUE[study].items():
+            if any(fnmatch.fnmatchcase(point, pattern) for pattern in patterns):
+                filters.append(name)
+    return f"{RESULTS}/runs/{{study,{'|'.join(studies)}}}/{{point}}/{name}/{{shard}}.npz"
+
+
+def settings(name):
+    """Settings of a paper's filter at the point, from params/."""
+    return lambda wildcards: STUDIES[wildcards.study][wildcards.point].filters.get(name, {})
+
+
+def code(*modules):
+    """Input: the source files that the modules reach; {study} and {paper} are filled in."""
+    return lambda wildcards: code_files(
+        *(module.format(**dict(wildcards.items())) for module in modules)
+    )
+
+
+def logfile(rule, *wildcards):
+    """Log of a job: its usage, or the one line of its fault."""
+    return _place("job_logs", rule, wildcards, "log")
+
+
+def timing(rule, *wildcards):
+    """Benchmark file of a job."""
+    return _place("timings", rule, wildcards, "tsv")
+
+
+def _place(folder, rule, wildcards, ending):
+    wildcards = wildcards or ("study", "point", "shard")
+    return "/".join([RESULTS, folder, rule, *(f"{{{name}}}" for name in wildcards)]) + f".{ending}"
+
+
+def trial_range(study, point, shard):
+    """First and last + 1 of the trials of a shard."""
+    trials = RUN.get("trials", STUDIES[study][point].parameters["trials"])
+    shard, shards = int(shard), len(SHARDS)
+    return shard * trials // shards, (shard + 1) * trials // shards
+
+
+def catalogue(*studies):
+    """The registered filters of the studies, without points that have none."""
+    return {
+        study: {point: filters for point, filters in CATALOGUE[study].items() if filters}
+        for study in studies
+    }
+
+
+def run_files(study, points=None):
+    """Runs of all registered filters on the given (or all) points of a study."""
+    return [
+        f"{RESULTS}/runs/{study}/{point}/{name}/{shard}.npz"
+        for point, filters in CATALOGUE[study].items()
+        if points is None or point in points
+        for name in filters
+        for shard in SHARDS
+    ]
+
+
+def log_files(study, points=None):
+    """Logs of the given (or all) points of a study that a filter runs on."""
+    return [
+        LOG.format(study=study, point=point, shard=shard)
+        for point, filters in CATALOGUE[study].items()
+        if filters and (points is None or point in points)
+        for shard in SHARDS
+    ]
+
+
+def table_files(paper):
+    """Tables of a paper: of its studies and of its examples."""
+    tables = [*PAPERS[paper].studies, *(["packet_example"] if PAPERS[paper].examples else [])]
+    return [f"{RESULTS}/tables/{table}.csv" for table in tables]
+
+
+def figure_scripts(paper):
+    """Figure scripts of a paper by name."""
+    return {path.stem: str(path) for path in sorted(Path("figures", paper).glob("*.py"))}
+
+
+def figure_inputs(wildcards):
+    """What a figure's script says that it reads."""
+    needs = constants(f"figures/{wildcards.paper}/{wildcards.figure}.py")["NEEDS"]
+    tables = needs.get("tables", [])
+    files = [f"{RESULTS}/tables/{study}.csv" for study in tables]
+    files += [f"{RESULTS}/curves/{study}.csv" for study in tables if study in STUDIES]
+    for study, points in needs.get("points", {}).items():
+        files += [*log_files(study, points), *run_files(study, points)]
+    return files + ([f"{RESULTS}/diff.csv"] if needs.get("diff") else [])
+
+
+def commit():
+    """The commit of the code and parameters, with -dirty where they differ from it."""
+    said = subprocess.run(
+        ["git", "rev-parse", "HEAD"], capture_output=True, text=True, cwd=workflow.basedir
+    )
+    if said.returncode != 0:
+        return "unknown"
+    changed = subprocess.run(
+        ["git", "status", "--porcelain", "--", "Snakefile", "workflow", "src", "params"],
+        capture_output=True,
+        text=True,
+        cwd=workflow.basedir,
+    )
+    return said.stdout.strip() + ("-dirty" if changed.stdout.strip() else "")
+
+
+def print_tally():
+    """The verdicts at a glance, at the end of a run."""
+    tally = Path(RESULTS) / "tally.txt"
+    if tally.exists():
+        print(tally.read_text(), end="")

@@ -1,0 +1,206 @@
+# Stops 4 to 8 of the data: tables, diff, figures, manifest, report.
+rule table:
+    input:
+        runs=lambda wildcards: run_files(wildcards.study),
+        code=code("repro.job", "repro.tables", "repro.studies.{study}"),
+    output:
+        table=report(
+            f"{RESULTS}/tables/{{study}}.csv",
+            category="Tables",
+            labels={"table": "{study}"},
+            caption="../report/table.rst",
+        ),
+        curves=f"{RESULTS}/curves/{{study}}.csv",
+    params:
+        results=RESULTS,
+        catalogue=lambda wildcards: catalogue(wildcards.study),
+        shards=len(SHARDS),
+    log:
+        logfile("table", "study"),
+    benchmark:
+        timing("table", "study")
+    wildcard_constraints:
+        study="|".join(STUDIES),
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/table.py"
+
+
+rule packet_example:
+    input:
+        code=code("repro.job", "repro.tables"),
+    output:
+        f"{RESULTS}/tables/packet_example.csv",
+    params:
+        example=PAPERS["packet_delays"].examples["table_1"],
+    log:
+        f"{RESULTS}/job_logs/packet_example.log",
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/packet_example.py"
+
+
+rule claims:
+    input:
+        runs=lambda wildcards: [
+            file for study in PAPERS[wildcards.paper].studies for file in run_files(study)
+        ],
+        logs=lambda wildcards: [
+            file for study in PAPERS[wildcards.paper].studies for file in log_files(study)
+        ],
+        code=code("repro.job", "repro.claims.{paper}"),
+    output:
+        f"{RESULTS}/claims/{{paper}}.csv",
+    params:
+        results=RESULTS,
+        catalogue=lambda wildcards: catalogue(*PAPERS[wildcards.paper].studies),
+        shards=len(SHARDS),
+        tolerance=RUN["tolerance"],
+    log:
+        logfile("claims", "paper"),
+    benchmark:
+        timing("claims", "paper")
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/claims.py"
+
+
+rule diff:
+    input:
+        published=[f"params/published/{paper}.csv" for paper in PAPERS],
+        claims=[f"{RESULTS}/claims/{paper}.csv" for paper in PAPERS],
+        tables=[file for paper in PAPERS for file in table_files(paper)],
+        code=code("repro.job", "repro.published"),
+    output:
+        csv=report(
+            f"{RESULTS}/diff.csv",
+            category="Verdicts",
+            labels={"table": "published against reproduced"},
+            caption="../report/diff.rst",
+        ),
+        markdown=f"{RESULTS}/diff.md",
+        tally=f"{RESULTS}/tally.txt",
+    params:
+        papers={
+            paper: {
+                "published": f"params/published/{paper}.csv",
+                "claims": f"{RESULTS}/claims/{paper}.csv",
+                "tables": table_files(paper),
+            }
+            for paper in PAPERS
+        },
+        tolerance=RUN["tolerance"],
+    log:
+        f"{RESULTS}/job_logs/diff.log",
+    benchmark:
+        f"{RESULTS}/timings/diff.tsv"
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/diff.py"
+
+
+rule figure:
+    input:
+        figure_inputs,
+        script="figures/{paper}/{figure}.py",
+        code=code("repro.job", "repro.plot.draw", "figures/{paper}/{figure}.py"),
+    output:
+        report(
+            f"{FIGURES}/{{paper}}/{{figure}}.png",
+            category="Figures",
+            subcategory="{paper}",
+            labels={"figure": "{figure}"},
+            caption="../report/figure.rst",
+        ),
+    params:
+        results=RESULTS,
+        catalogue=lambda wildcards: catalogue(*PAPERS[wildcards.paper].studies),
+        shards=len(SHARDS),
+        caption=lambda wildcards: constants(
+            f"figures/{wildcards.paper}/{wildcards.figure}.py"
+        )["CAPTION"],
+    log:
+        logfile("figure", "paper", "figure"),
+    benchmark:
+        timing("figure", "paper", "figure")
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/figure.py"
+
+
+rule parameters:
+    input:
+        files=PARAMETER_FILES,
+        code=code("repro.job", "repro.params", "repro.tables"),
+    output:
+        report(
+            f"{RESULTS}/parameters.csv",
+            category="Verdicts",
+            labels={"table": "parameters, stated and assumed"},
+            caption="../report/parameters.rst",
+        ),
+    log:
+        f"{RESULTS}/job_logs/parameters.log",
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/parameters.py"
+
+
+rule manifest:
+    input:
+        parameters=["params/run.yaml", *PARAMETER_FILES, *rules.diff.input.published],
+        tables=[
+            rules.diff.output,
+            rules.diff.input.claims,
+            rules.diff.input.tables,
+            rules.parameters.output,
+            expand(f"{RESULTS}/curves/{{study}}.csv", study=STUDIES),
+        ],
+        logs=[file for study in STUDIES for file in log_files(study)],
+        figures=[
+            f"{FIGURES}/{paper}/{figure}.png"
+            for paper in PAPERS
+            for figure in figure_scripts(paper)
+        ],
+        code=code("repro.job", "repro.manifest"),
+    output:
+        f"{RESULTS}/manifest.json",
+    params:
+        commit=commit(),
+        seed=RUN["root_seed"],
+    log:
+        f"{RESULTS}/job_logs/manifest.log",
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/manifest.py"
+
+
+rule verify:
+    input:
+        f"{RESULTS}/diff.csv",
+    log:
+        f"{RESULTS}/job_logs/verify.log",
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/verify.py"
+
+
+rule timings:
+    input:
+        f"{RESULTS}/manifest.json",
+    params:
+        results=RESULTS,
+    log:
+        f"{RESULTS}/job_logs/timings.log",
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/timings.py"
