@@ -11,6 +11,8 @@ sys.path.insert(0, str(SOURCE))
 os.environ["PYTHONPATH"] = os.pathsep.join(
     filter(None, [str(SOURCE), os.environ.get("PYTHONPATH")])
 )
+# Jobs share the cores; threads inside a job would compete and change the rounding of sums.
+os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", MKL_NUM_THREADS="1")
 
 from repro.errors import ReproError
 from repro.params import load_paper, load_run

@@ -1,5 +1,6 @@
 """Layout of the messages and of the records around them, shared by writer and reader."""
 
+import struct
 from typing import NamedTuple
 
 import numpy as np
@@ -10,8 +11,11 @@ PROFILE = "ros2"
 ENCODING = "cdr"
 SCHEMA_ENCODING = "ros2msg"
 CDR_LITTLE_ENDIAN = np.frombuffer(b"\x00\x01\x00\x00", dtype=np.uint8)
-PROVENANCE = "provenance"  # Metadata record: study, point, seed, steps, ...
+PROVENANCE = "provenance"  # Metadata record: study, point, seed, trials
 PARAMETERS = "parameters.json"  # Attachment: the resolved parameters of the point
+RECORD_HEAD = struct.Struct("<BQ")  # opcode and length of a record
+CRC = struct.Struct("<I")
+FOOTER_HEAD = RECORD_HEAD.size + 16  # bytes of a footer before its CRC
 
 
 class LogError(ReproError):
@@ -66,3 +70,8 @@ def record_dtype(fields: int) -> np.dtype:
             ("payload", payload_dtype(fields)),
         ]
     )
+
+
+def index_dtype() -> np.dtype:
+    """An entry of a MessageIndex record."""
+    return np.dtype([("log_time", "<u8"), ("offset", "<u8")])

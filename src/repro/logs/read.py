@@ -15,9 +15,12 @@ from mcap.writer import MCAP0_MAGIC
 
 from repro.logs.format import (
     CDR_LITTLE_ENDIAN,
+    CRC,
     ENCODING,
+    FOOTER_HEAD,
     PARAMETERS,
     PROVENANCE,
+    RECORD_HEAD,
     Log,
     LogError,
     payload_dtype,
@@ -25,10 +28,7 @@ from repro.logs.format import (
     schema_text,
 )
 
-RECORD_HEAD = struct.Struct("<BQ")  # opcode and length of a record
 CHANNEL_ID = struct.Struct("<H")
-CRC = struct.Struct("<I")
-FOOTER_HEAD = RECORD_HEAD.size + 16  # a footer up to its CRC
 
 
 def read_log(

@@ -1,0 +1,169 @@
+"""The MCAP file around the messages, built from the records of the mcap package.
+
+The package's own Writer takes messages one by one, about 3 microseconds each. A log here is made of
+arrays, so whole chunks are handed over instead; every record but the messages and their index is
+written by the package.
+"""
+
+import zlib
+from typing import BinaryIO
+
+import numpy as np
+import zstandard
+from mcap.data_stream import RecordBuilder
+from mcap.opcode import Opcode
+from mcap.records import (
+    Attachment,
+    AttachmentIndex,
+    Channel,
+    Chunk,
+    ChunkIndex,
+    DataEnd,
+    Footer,
+    Header,
+    McapRecord,
+    Metadata,
+    MetadataIndex,
+    Schema,
+    Statistics,
+    SummaryOffset,
+)
+from mcap.writer import MCAP0_MAGIC
+
+from repro.logs.format import CRC, FOOTER_HEAD, RECORD_HEAD, index_dtype
+
+
+def _bytes(record: McapRecord) -> bytes:
+    builder = RecordBuilder()
+    record.write(builder)
+    return builder.end()
+
+
+class Container:
+    """An MCAP file in the making; `finish` writes its summary."""
+
+    def __init__(self, stream: BinaryIO, profile: str, library: str):
+        self._stream, self._position, self._crc = stream, 0, 0
+        self._schemas: list[Schema] = []
+        self._channels: list[Channel] = []
+        self._chunks: list[ChunkIndex] = []
+        self._attachments: list[AttachmentIndex] = []
+        self._metadata: list[MetadataIndex] = []
+        self._counts: dict[int, int] = {}
+        self._times: list[int] = []
+        self._compressor = zstandard.ZstdCompressor()
+        self._put(MCAP0_MAGIC)
+        self._put(_bytes(Header(profile, library)))
+
+    def _put(self, data: bytes) -> tuple[int, int]:
+        """Append to the data section; returns offset and length."""
+        offset = self._position
+        self._stream.write(data)
+        self._crc = zlib.crc32(data, self._crc)
+        self._position += len(data)
+        return offset, len(data)
+
+    def add_metadata(self, name: str, content: dict[str, str]) -> None:
+        offset, length = self._put(_bytes(Metadata(name=name, metadata=content)))
+        self._metadata.append(MetadataIndex(offset=offset, length=length, name=name))
+
+    def add_attachment(self, name: str, media_type: str, data: bytes) -> None:
+        """Attach bytes under a name; without a clock time, for the sake of equal bytes."""
+        attachment = Attachment(
+            create_time=0, log_time=0, name=name, media_type=media_type, data=data
+        )
+        offset, length = self._put(_bytes(attachment))
+        self._attachments.append(
+            AttachmentIndex(offset, length, 0, 0, len(data), name, media_type)
+        )
+
+    def add_channel(self, topic: str, encoding: str, schema: tuple[str, str, bytes]) -> int:
+        """Define a topic with its schema (name, encoding, text); returns the channel's number."""
+        number = len(self._channels) + 1
+        name, schema_encoding, text = schema
+        self._schemas.append(Schema(id=number, data=text, encoding=schema_encoding, name=name))
+        self._channels.append(
+            Channel(
+                id=number,
+                topic=topic,
+                message_encoding=encoding,
+                metadata={},
+                schema_id=number,
+            )
+        )
+        self._put(_bytes(self._schemas[-1]) + _bytes(self._channels[-1]))
+        return number
+
+    def add_chunk(self, channel: int, records: np.ndarray) -> None:
+        """One chunk of message records of one channel, a structured array of `record_dtype`."""
+        data = records.tobytes()
+        times = records["log_time"]
+        compressed = self._compressor.compress(data)
+        chunk = Chunk(
+            compression="zstd",
+            data=compressed,
+            message_start_time=int(times.min()),
+            message_end_time=int(times.max()),
+            uncompressed_crc=zlib.crc32(data),
+            uncompressed_size=len(data),
+        )
+        offset, length = self._put(_bytes(chunk))
+        index_offset, index_length = self._put(_message_index(channel, records))
+        self._chunks.append(
+            ChunkIndex(
+                message_start_time=chunk.message_start_time,
+                message_end_time=chunk.message_end_time,
+                chunk_start_offset=offset,
+                chunk_length=length,
+                message_index_offsets={channel: index_offset},
+                message_index_length=index_length,
+                compression=chunk.compression,
+                compressed_size=len(compressed),
+                uncompressed_size=len(data),
+            )
+        )
+        self._counts[channel] = self._counts.get(channel, 0) + len(records)
+        self._times += [chunk.message_start_time, chunk.message_end_time]
+
+    def finish(self) -> None:
+        """Write the end of the data section, the summary, the footer and the closing magic."""
+        end = _bytes(DataEnd(self._crc))
+        start = self._position + len(end)
+        statistics = Statistics(
+            attachment_count=len(self._attachments),
+            channel_count=len(self._channels),
+            channel_message_counts=self._counts,
+            chunk_count=len(self._chunks),
+            message_count=sum(self._counts.values()),
+            metadata_count=len(self._metadata),
+            message_start_time=min(self._times, default=0),
+            message_end_time=max(self._times, default=0),
+            schema_count=len(self._schemas),
+        )
+        groups = {
+            Opcode.SCHEMA: self._schemas,
+            Opcode.CHANNEL: self._channels,
+            Opcode.STATISTICS: [statistics],
+            Opcode.CHUNK_INDEX: self._chunks,
+            Opcode.ATTACHMENT_INDEX: self._attachments,
+            Opcode.METADATA_INDEX: self._metadata,
+        }
+        summary, offsets = b"", b""
+        for opcode, records in groups.items():
+            group = b"".join(_bytes(record) for record in records)
+            offsets += _bytes(SummaryOffset(opcode, start + len(summary), len(group)))
+            summary += group
+        offset_start = start + len(summary)
+        summary += offsets
+        head = _bytes(Footer(start, offset_start, 0))[:FOOTER_HEAD]
+        footer = head + CRC.pack(zlib.crc32(summary + head))
+        self._stream.write(end + summary + footer + MCAP0_MAGIC)
+
+
+def _message_index(channel: int, records: np.ndarray) -> bytes:
+    """The MessageIndex record of a chunk: log time and offset of each of its messages."""
+    entries = np.empty(len(records), dtype=index_dtype())
+    entries["log_time"] = records["log_time"]
+    entries["offset"] = np.arange(len(records)) * records.dtype.itemsize
+    body = channel.to_bytes(2, "little") + entries.nbytes.to_bytes(4, "little") + entries.tobytes()
+    return RECORD_HEAD.pack(Opcode.MESSAGE_INDEX, len(body)) + body
