@@ -87,8 +87,8 @@ def write_assumptions(papers: dict[str, dict], tolerance: float, path: str | Pat
     text = [
         "# What the papers left out",
         "",
-        "Every value that a paper does not state, why it was chosen, and what other readings of the",
-        "text would change. Made from `params/` and the tables by the run.",
+        "Every value that a paper does not state, why it was chosen, and what other readings of",
+        "the text would change. Made from `params/` and the tables by the run.",
         "",
     ]
     for paper, files in papers.items():
