@@ -88,8 +88,8 @@ def tally(results: Results) -> Figure:
                 if count:
                     axes.annotate(f"{count:g}", (start + count / 2, row), ha="center", va="center")
             left += counts
-        axes.set(title=f"published {kind}s", xlabel="number")
-        axes.legend(fontsize=8, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.28))
+        axes.set(title=f"published {kind}s")
+        axes.legend(fontsize=8, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.15))
         axes.grid(False)
     grid[0].invert_yaxis()
     return drawn
