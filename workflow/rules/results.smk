@@ -271,3 +271,17 @@ rule view:
         shards=len(SHARDS),
     script:
         "../scripts/view.py"
+
+
+rule archive:
+    input:
+        manifest=f"{RESULTS}/manifest.json",
+        code=code("repro.archive"),
+    output:
+        f"{RESULTS}/archive.zip",
+    log:
+        f"{RESULTS}/job_logs/archive.log",
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/archive.py"
