@@ -4,8 +4,9 @@ from repro.plot.linear_delays import error_over_arrival_probability
 
 NEEDS = {"tables": ["linear_delays"]}
 CAPTION = (
-    "Figure 1. RMS error of x1 over the packet arrival probability, all filters, with the error "
-    "that the OMVF claims. The paper prints no number; [21] and the best filter of form (6) are exact."
+    "Figure 1. RMS error of x1 over the packet arrival probability, all filters, with the "
+    "error that the OMVF claims. The paper prints no number; [21] and the best filter of form"
+    " (6) are exact."
 )
 
 

@@ -3,7 +3,9 @@
 from repro.plot.tracking import trajectories
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=1", "n2-arrival=1"]}}
-CAPTION = "Figure 3: trajectory of EKF and EMVF, p = 1. The first run in which every packet is on time."
+CAPTION = (
+    "Figure 3: trajectory of EKF and EMVF, p = 1. The first run in which every packet is on time."
+)
 
 
 def draw(results):

@@ -3,7 +3,10 @@
 from repro.plot.tracking import first_trial, missed_steps, trajectories
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=0.98", "n2-arrival=0.98"]}}
-CAPTION = "Figure 5: trajectory of EKF and EMVF, p = 0.98. The first run in which the packet of k = 46 alone is late or lost, as in the paper."
+CAPTION = (
+    "Figure 5: trajectory of EKF and EMVF, p = 0.98. The first run in which the packet of k ="
+    " 46 alone is late or lost, as in the paper."
+)
 
 
 def draw(results):

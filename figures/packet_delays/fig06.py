@@ -2,8 +2,14 @@
 
 from repro.plot.tracking import error_over_k, first_trial, missed_steps
 
-NEEDS = {"tables": ["wsn_tracking"], "points": {"wsn_tracking": ["n1-arrival=0.98", "n2-arrival=0.98"]}}
-CAPTION = "Figure 6: estimation error of EKF and EMVF, p = 0.98. The first run in which the packet of k = 46 alone is late or lost, as in the paper."
+NEEDS = {
+    "tables": ["wsn_tracking"],
+    "points": {"wsn_tracking": ["n1-arrival=0.98", "n2-arrival=0.98"]},
+}
+CAPTION = (
+    "Figure 6: estimation error of EKF and EMVF, p = 0.98. The first run in which the packet "
+    "of k = 46 alone is late or lost, as in the paper."
+)
 
 
 def draw(results):

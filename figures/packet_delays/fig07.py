@@ -3,7 +3,10 @@
 from repro.plot.tracking import first_trial, missed_steps, trajectories
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=0.95", "n2-arrival=0.95"]}}
-CAPTION = "Figure 7: trajectory of the EMVF, p = 0.95. The first run in which three packets are late or lost, the mean number."
+CAPTION = (
+    "Figure 7: trajectory of the EMVF, p = 0.95. The first run in which three packets are "
+    "late or lost, the mean number."
+)
 
 
 def draw(results):

@@ -2,8 +2,14 @@
 
 from repro.plot.tracking import error_over_k, first_trial, missed_steps
 
-NEEDS = {"tables": ["wsn_tracking"], "points": {"wsn_tracking": ["n1-arrival=0.95", "n2-arrival=0.95"]}}
-CAPTION = "Figure 8: estimation error of the EMVF, p = 0.95. The first run in which three packets are late or lost, the mean number."
+NEEDS = {
+    "tables": ["wsn_tracking"],
+    "points": {"wsn_tracking": ["n1-arrival=0.95", "n2-arrival=0.95"]},
+}
+CAPTION = (
+    "Figure 8: estimation error of the EMVF, p = 0.95. The first run in which three packets "
+    "are late or lost, the mean number."
+)
 
 
 def draw(results):

@@ -3,7 +3,10 @@
 from repro.plot.tracking import first_trial, missed_steps, trajectories
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=0.9", "n2-arrival=0.9"]}}
-CAPTION = "Figure 9: trajectory of the EMVF, p = 0.90. The first run in which seven packets are late or lost, as in the paper."
+CAPTION = (
+    "Figure 9: trajectory of the EMVF, p = 0.90. The first run in which seven packets are "
+    "late or lost, as in the paper."
+)
 
 
 def draw(results):

@@ -23,9 +23,7 @@ def draw(results):
     names = {"emvf": "base", "emvf_realised": "indicator_of=k (as printed)"}
     drawn, axes = style.figure(size=(7.4, 5.2))
     for place, row in enumerate(rows):
-        axes.errorbar(
-            row.value, place, xerr=row.mcse, fmt="o", color=style.COLOURS[0], capsize=3
-        )
+        axes.errorbar(row.value, place, xerr=row.mcse, fmt="o", color=style.COLOURS[0], capsize=3)
         axes.plot(row.median, place, "x", color=style.COLOURS[1])
     labels = [
         names[row.filter] if row.point == "n2-arrival=0.9" else row.point.removeprefix("reading-")

@@ -5,7 +5,9 @@ import matplotlib.ticker
 from repro.plot import style
 
 NEEDS = {"tables": ["packet_example"]}
-CAPTION = "Table 1 as a picture: an arrow from the step that sends a packet to the step it is used at."
+CAPTION = (
+    "Table 1 as a picture: an arrow from the step that sends a packet to the step it is used at."
+)
 
 
 def draw(results):
@@ -23,7 +25,8 @@ def draw(results):
     axes.plot(never, [1] * len(never), "x", color="black", ms=9, label="never arrives")
     for late, name in enumerate(("on time", "one step late or again", "two steps late or again")):
         axes.plot([], [], color=style.COLOURS[(2, 4, 1)[late]], label=name)
-    axes.set(yticks=[0, 1], yticklabels=["received y(k)", "sent z(k)"], ylim=(-0.4, 1.15), xlabel="k")
+    axes.set(yticks=[0, 1], yticklabels=["received y(k)", "sent z(k)"], ylim=(-0.4, 1.15))
+    axes.set(xlim=(0.4, used.max() + 0.6), xlabel="k")
     axes.xaxis.set_major_locator(matplotlib.ticker.MultipleLocator(1))
     axes.legend(fontsize=7, ncols=4, loc="upper center", bbox_to_anchor=(0.5, 1.2))
     return drawn

@@ -12,7 +12,7 @@ USAGE = "usage:"
 
 
 def job(log: str, work: Callable[[], object]) -> None:
-    """Run `work`. The job's log file gets its CPU time and peak memory, or the one line of a fault."""
+    """Run `work`; the job's log file gets its CPU time and peak memory, or one line on a fault."""
     try:
         work()
     except ReproError as error:

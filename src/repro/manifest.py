@@ -13,7 +13,7 @@ PACKAGES = ("snakemake", "numpy", "scipy", "pandas", "matplotlib", "mcap")
 
 def sha256(path: str | Path) -> str:
     """Hash of a file's bytes."""
-    with open(path, "rb") as stream:
+    with Path(path).open("rb") as stream:
         return hashlib.file_digest(stream, "sha256").hexdigest()
 
 

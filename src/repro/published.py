@@ -150,7 +150,9 @@ def _markdown(table: pd.DataFrame, lines: list[str]) -> str:
             "rank", kind="stable"
         )
         text += [f"## {paper}: values", ""]
-        text += ["| item | published | ours | standard error (ours, theirs) | z | verdict | reason |"]
+        text += [
+            "| item | published | ours | standard error (ours, theirs) | z | verdict | reason |"
+        ]
         text += ["|---|---|---|---|---|---|---|"]
         for row in ranked[ranked["kind"] == "value"].itertuples():
             z = "" if np.isnan(row.z) else f"{row.z:+.1f}"

@@ -1,6 +1,5 @@
 """Run one filter over one log, batched over trials."""
 
-import os
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
@@ -111,7 +110,7 @@ def run_filter(
     part = Path(f"{path}.part")
     with part.open("wb") as stream:
         np.savez(stream, trials=log.trials, error=runs.error, degenerate=runs.degenerate, **arrays)
-    os.replace(part, path)
+    part.replace(path)
 
 
 def read_wanted_log(path: str, study: str, point: str) -> Log:

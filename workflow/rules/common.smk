@@ -18,20 +18,14 @@ from repro.errors import ReproError
 from repro.params import load_paper, load_run
 from repro.sources import code_files, constants
 
-PARAMETER_FILES = sorted(
-    path for path in Path("params").glob("*.yaml") if path.name != "run.yaml"
-)
+PARAMETER_FILES = sorted(path for path in Path("params").glob("*.yaml") if path.name != "run.yaml")
 try:
     RUN = load_run("params/run.yaml", "workflow/schemas", dict(config))
-    PAPERS = {
-        path.stem: load_paper(path, "workflow/schemas") for path in PARAMETER_FILES
-    }
+    PAPERS = {path.stem: load_paper(path, "workflow/schemas") for path in PARAMETER_FILES}
 except ReproError as error:
     sys.exit(f"error: {error}")
 
-STUDIES = {
-    study: points for paper in PAPERS.values() for study, points in paper.studies.items()
-}
+STUDIES = {study: points for paper in PAPERS.values() for study, points in paper.studies.items()}
 SHARDS = range(RUN["shards"])
 RESULTS = f"{RUN['into']}/results" if "into" in RUN else "results"
 FIGURES = f"{RUN['into']}/figures" if "into" in RUN else "figures"
@@ -72,10 +66,14 @@ def settings(name):
 
 
 def code(*modules):
-    """Input: the source files that the modules reach; {study} and {paper} are filled in."""
-    return lambda wildcards: code_files(
-        *(module.format(**dict(wildcards.items())) for module in modules)
-    )
+    """Input: the source files that the modules reach, the study's with them; {paper} is filled in."""
+
+    def files(wildcards):
+        found = dict(wildcards.items())
+        study = [f"repro.studies.{found['study']}"] if "study" in found else []
+        return code_files("repro.job", *(module.format(**found) for module in modules), *study)
+
+    return files
 
 
 def logfile(rule, *wildcards):

@@ -1,22 +1,22 @@
-# Stop 3 of the data, and the catalogue of the filters: one rule a filter. A rule's runs(...) is all that
-# tables, curves, diff and figures need to know of it. docs in README.md, "A filter of your own".
+# Stop 3 of the data, and the catalogue of the filters: one rule a filter. Its runs(...) is all that
+# tables, curves, diff and figures need to know of it.
 
 
 rule omvf:
     input:
         log=LOG,
-        code=code("repro.job", "repro.run", "repro.filters.omvf", "repro.studies.{study}"),
+        code=code("repro.run", "repro.filters.omvf"),
     output:
         runs("omvf", studies=["linear_delays"]),
-    params:
-        name="omvf",
-        settings=settings("omvf"),
     log:
         logfile("omvf"),
     benchmark:
         timing("omvf")
     conda:
         ENVIRONMENT
+    params:
+        name="omvf",
+        settings=settings("omvf"),
     script:
         RUN_FILTER
 
@@ -24,18 +24,18 @@ rule omvf:
 rule nahi:
     input:
         log=LOG,
-        code=code("repro.job", "repro.run", "repro.filters.nahi", "repro.studies.{study}"),
+        code=code("repro.run", "repro.filters.nahi"),
     output:
         runs("nahi", studies=["linear_delays"]),
-    params:
-        name="nahi",
-        settings=settings("nahi"),
     log:
         logfile("nahi"),
     benchmark:
         timing("nahi")
     conda:
         ENVIRONMENT
+    params:
+        name="nahi",
+        settings=settings("nahi"),
     script:
         RUN_FILTER
 
@@ -43,18 +43,20 @@ rule nahi:
 rule intermittent_kf:
     input:
         log=LOG,
-        code=code("repro.job", "repro.run", "repro.filters.intermittent_kf", "repro.studies.{study}"),
+        code=code(
+            "repro.job", "repro.run", "repro.filters.intermittent_kf", "repro.studies.{study}"
+        ),
     output:
         runs("intermittent_kf", studies=["linear_delays"]),
-    params:
-        name="intermittent_kf",
-        settings=settings("intermittent_kf"),
     log:
         logfile("intermittent_kf"),
     benchmark:
         timing("intermittent_kf")
     conda:
         ENVIRONMENT
+    params:
+        name="intermittent_kf",
+        settings=settings("intermittent_kf"),
     script:
         RUN_FILTER
 
@@ -62,18 +64,18 @@ rule intermittent_kf:
 rule sun:
     input:
         log=LOG,
-        code=code("repro.job", "repro.run", "repro.filters.sun", "repro.studies.{study}"),
+        code=code("repro.run", "repro.filters.sun"),
     output:
         runs("sun", studies=["linear_delays"]),
-    params:
-        name="sun",
-        settings=settings("sun"),
     log:
         logfile("sun"),
     benchmark:
         timing("sun")
     conda:
         ENVIRONMENT
+    params:
+        name="sun",
+        settings=settings("sun"),
     script:
         RUN_FILTER
 
@@ -81,18 +83,18 @@ rule sun:
 rule genie:
     input:
         log=LOG,
-        code=code("repro.job", "repro.run", "repro.filters.genie", "repro.studies.{study}"),
+        code=code("repro.run", "repro.filters.genie"),
     output:
         runs("genie", studies=["linear_delays"]),
-    params:
-        name="genie",
-        settings=settings("genie"),
     log:
         logfile("genie"),
     benchmark:
         timing("genie")
     conda:
         ENVIRONMENT
+    params:
+        name="genie",
+        settings=settings("genie"),
     script:
         RUN_FILTER
 
@@ -100,18 +102,18 @@ rule genie:
 rule best_in_form:
     input:
         log=LOG,
-        code=code("repro.job", "repro.run", "repro.filters.best_in_form", "repro.studies.{study}"),
+        code=code("repro.run", "repro.filters.best_in_form"),
     output:
         runs("best_in_form", studies=["linear_delays"]),
-    params:
-        name="best_in_form",
-        settings=settings("best_in_form"),
     log:
         logfile("best_in_form"),
     benchmark:
         timing("best_in_form")
     conda:
         ENVIRONMENT
+    params:
+        name="best_in_form",
+        settings=settings("best_in_form"),
     script:
         RUN_FILTER
 
@@ -119,18 +121,18 @@ rule best_in_form:
 rule emvf:
     input:
         log=LOG,
-        code=code("repro.job", "repro.run", "repro.filters.emvf", "repro.studies.{study}"),
+        code=code("repro.run", "repro.filters.emvf"),
     output:
         runs("emvf", studies=["wsn_tracking"]),
-    params:
-        name="emvf",
-        settings=settings("emvf"),
     log:
         logfile("emvf"),
     benchmark:
         timing("emvf")
     conda:
         ENVIRONMENT
+    params:
+        name="emvf",
+        settings=settings("emvf"),
     script:
         RUN_FILTER
 
@@ -138,18 +140,18 @@ rule emvf:
 rule ekf:
     input:
         log=LOG,
-        code=code("repro.job", "repro.run", "repro.filters.ekf", "repro.studies.{study}"),
+        code=code("repro.run", "repro.filters.ekf"),
     output:
         runs("ekf", studies=["wsn_tracking"]),
-    params:
-        name="ekf",
-        settings=settings("ekf"),
     log:
         logfile("ekf"),
     benchmark:
         timing("ekf")
     conda:
         ENVIRONMENT
+    params:
+        name="ekf",
+        settings=settings("ekf"),
     script:
         RUN_FILTER
 
@@ -157,18 +159,18 @@ rule ekf:
 rule iekf:
     input:
         log=LOG,
-        code=code("repro.job", "repro.run", "repro.filters.iekf", "repro.studies.{study}"),
+        code=code("repro.run", "repro.filters.iekf"),
     output:
         runs("iekf", studies=["wsn_tracking"]),
-    params:
-        name="iekf",
-        settings=settings("iekf"),
     log:
         logfile("iekf"),
     benchmark:
         timing("iekf")
     conda:
         ENVIRONMENT
+    params:
+        name="iekf",
+        settings=settings("iekf"),
     script:
         RUN_FILTER
 
@@ -176,17 +178,21 @@ rule iekf:
 rule emvf_realised:
     input:
         log=LOG,
-        code=code("repro.job", "repro.run", "repro.filters.emvf_realised", "repro.studies.{study}"),
+        code=code("repro.run", "repro.filters.emvf_realised"),
     output:
-        runs("emvf_realised", studies=["wsn_tracking"], points=["n2-arrival=0.9", "reading-indicator_of=*"]),
-    params:
-        name="emvf_realised",
-        settings=settings("emvf_realised"),
+        runs(
+            "emvf_realised",
+            studies=["wsn_tracking"],
+            points=["n2-arrival=0.9", "reading-indicator_of=*"],
+        ),
     log:
         logfile("emvf_realised"),
     benchmark:
         timing("emvf_realised")
     conda:
         ENVIRONMENT
+    params:
+        name="emvf_realised",
+        settings=settings("emvf_realised"),
     script:
         RUN_FILTER

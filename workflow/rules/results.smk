@@ -2,7 +2,7 @@
 rule table:
     input:
         runs=lambda wildcards: run_files(wildcards.study),
-        code=code("repro.job", "repro.tables", "repro.studies.{study}"),
+        code=code("repro.tables"),
     output:
         table=report(
             f"{RESULTS}/tables/{{study}}.csv",
@@ -11,10 +11,6 @@ rule table:
             caption="../report/table.rst",
         ),
         curves=f"{RESULTS}/curves/{{study}}.csv",
-    params:
-        results=RESULTS,
-        catalogue=lambda wildcards: catalogue(wildcards.study),
-        shards=len(SHARDS),
     log:
         logfile("table", "study"),
     benchmark:
@@ -23,21 +19,25 @@ rule table:
         study="|".join(STUDIES),
     conda:
         ENVIRONMENT
+    params:
+        results=lambda wildcards: RESULTS,
+        catalogue=lambda wildcards: catalogue(wildcards.study),
+        shards=len(SHARDS),
     script:
         "../scripts/table.py"
 
 
 rule packet_example:
     input:
-        code=code("repro.job", "repro.tables"),
+        code=code("repro.tables"),
     output:
         f"{RESULTS}/tables/packet_example.csv",
-    params:
-        example=PAPERS["packet_delays"].examples["table_1"],
     log:
         f"{RESULTS}/job_logs/packet_example.log",
     conda:
         ENVIRONMENT
+    params:
+        example=PAPERS["packet_delays"].examples["table_1"],
     script:
         "../scripts/packet_example.py"
 
@@ -50,20 +50,20 @@ rule claims:
         logs=lambda wildcards: [
             file for study in PAPERS[wildcards.paper].studies for file in log_files(study)
         ],
-        code=code("repro.job", "repro.claims.{paper}"),
+        code=code("repro.claims.{paper}"),
     output:
         f"{RESULTS}/claims/{{paper}}.csv",
-    params:
-        results=RESULTS,
-        catalogue=lambda wildcards: catalogue(*PAPERS[wildcards.paper].studies),
-        shards=len(SHARDS),
-        tolerance=RUN["tolerance"],
     log:
         logfile("claims", "paper"),
     benchmark:
         timing("claims", "paper")
     conda:
         ENVIRONMENT
+    params:
+        results=lambda wildcards: RESULTS,
+        catalogue=lambda wildcards: catalogue(*PAPERS[wildcards.paper].studies),
+        shards=len(SHARDS),
+        tolerance=RUN["tolerance"],
     script:
         "../scripts/claims.py"
 
@@ -73,7 +73,7 @@ rule diff:
         published=[f"params/published/{paper}.csv" for paper in PAPERS],
         claims=[f"{RESULTS}/claims/{paper}.csv" for paper in PAPERS],
         tables=[file for paper in PAPERS for file in table_files(paper)],
-        code=code("repro.job", "repro.published"),
+        code=code("repro.published"),
     output:
         csv=report(
             f"{RESULTS}/diff.csv",
@@ -83,6 +83,12 @@ rule diff:
         ),
         markdown=f"{RESULTS}/diff.md",
         tally=f"{RESULTS}/tally.txt",
+    log:
+        f"{RESULTS}/job_logs/diff.log",
+    benchmark:
+        f"{RESULTS}/timings/diff.tsv"
+    conda:
+        ENVIRONMENT
     params:
         papers={
             paper: {
@@ -93,12 +99,6 @@ rule diff:
             for paper in PAPERS
         },
         tolerance=RUN["tolerance"],
-    log:
-        f"{RESULTS}/job_logs/diff.log",
-    benchmark:
-        f"{RESULTS}/timings/diff.tsv"
-    conda:
-        ENVIRONMENT
     script:
         "../scripts/diff.py"
 
@@ -107,7 +107,7 @@ rule figure:
     input:
         figure_inputs,
         script="figures/{paper}/{figure}.py",
-        code=code("repro.job", "repro.plot.draw", "figures/{paper}/{figure}.py"),
+        code=code("repro.plot.draw", "figures/{paper}/{figure}.py"),
     output:
         report(
             f"{FIGURES}/{{paper}}/{{figure}}.png",
@@ -116,19 +116,19 @@ rule figure:
             labels={"figure": "{figure}"},
             caption="../report/figure.rst",
         ),
-    params:
-        results=RESULTS,
-        catalogue=lambda wildcards: catalogue(*PAPERS[wildcards.paper].studies),
-        shards=len(SHARDS),
-        caption=lambda wildcards: constants(
-            f"figures/{wildcards.paper}/{wildcards.figure}.py"
-        )["CAPTION"],
     log:
         logfile("figure", "paper", "figure"),
     benchmark:
         timing("figure", "paper", "figure")
     conda:
         ENVIRONMENT
+    params:
+        results=lambda wildcards: RESULTS,
+        catalogue=lambda wildcards: catalogue(*PAPERS[wildcards.paper].studies),
+        shards=len(SHARDS),
+        caption=lambda wildcards: constants(f"figures/{wildcards.paper}/{wildcards.figure}.py")[
+            "CAPTION"
+        ],
     script:
         "../scripts/figure.py"
 
@@ -136,7 +136,7 @@ rule figure:
 rule parameters:
     input:
         files=PARAMETER_FILES,
-        code=code("repro.job", "repro.params", "repro.tables"),
+        code=code("repro.params", "repro.tables"),
     output:
         report(
             f"{RESULTS}/parameters.csv",
@@ -168,16 +168,16 @@ rule manifest:
             for paper in PAPERS
             for figure in figure_scripts(paper)
         ],
-        code=code("repro.job", "repro.manifest"),
+        code=code("repro.manifest"),
     output:
         f"{RESULTS}/manifest.json",
-    params:
-        commit=commit(),
-        seed=RUN["root_seed"],
     log:
         f"{RESULTS}/job_logs/manifest.log",
     conda:
         ENVIRONMENT
+    params:
+        commit=commit(),
+        seed=RUN["root_seed"],
     script:
         "../scripts/manifest.py"
 
@@ -196,11 +196,11 @@ rule verify:
 rule timings:
     input:
         f"{RESULTS}/manifest.json",
-    params:
-        results=RESULTS,
     log:
         f"{RESULTS}/job_logs/timings.log",
     conda:
         ENVIRONMENT
+    params:
+        results=lambda wildcards: RESULTS,
     script:
         "../scripts/timings.py"

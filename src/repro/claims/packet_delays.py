@@ -70,7 +70,9 @@ def saee_falls_with_p(results):
 @claim(CLAIMS, "D-C1 N", "Table 2: SAEE falls as N rises, at every arrival probability")
 def saee_falls_with_n(results):
     return [
-        smaller(f"p={p}: SAEE at N={more} - N={less}", saee(results, more, p), saee(results, less, p))
+        smaller(
+            f"p={p}: SAEE at N={more} - N={less}", saee(results, more, p), saee(results, less, p)
+        )
         for p in TABLE_2_P
         for less, more in pairwise(TABLE_2_N)
     ]
@@ -99,7 +101,9 @@ def _diverged(error: np.ndarray) -> np.ndarray:
     return (np.hypot(error[:, :, 0], error[:, :, 1]) > wsn_tracking.LOST_ABOVE).any(axis=1)
 
 
-@claim(CLAIMS, "D-C3 EKF", "Figs. 5-6: at p = 0.98 the EKF errs far more than the EMVF after a loss")
+@claim(
+    CLAIMS, "D-C3 EKF", "Figs. 5-6: at p = 0.98 the EKF errs far more than the EMVF after a loss"
+)
 def ekf_worse_after_loss(results):
     hit = missed(results, 1, 0.98) > 0
     return [
@@ -114,8 +118,7 @@ def ekf_worse_after_loss(results):
 @claim(CLAIMS, "D-C3 EMVF", "Figs. 5-6: at p = 0.98 the EMVF still tracks the target")
 def emvf_tracks(results):
     return [
-        most(f"N={n}: largest error < 10 m", largest(results, n, 0.98, "emvf") < 10)
-        for n in (1, 2)
+        most(f"N={n}: largest error < 10 m", largest(results, n, 0.98, "emvf") < 10) for n in (1, 2)
     ]
 
 
@@ -139,7 +142,9 @@ def more_consecutive_losses_better(results):
     ]
 
 
-@claim(CLAIMS, "D-C6", "Fig. 10: seven packets missed, largest error 17.5 m (N=1) and 7 to 8 m (N=2)")
+@claim(
+    CLAIMS, "D-C6", "Fig. 10: seven packets missed, largest error 17.5 m (N=1) and 7 to 8 m (N=2)"
+)
 def figure_10_is_typical(results):
     parts = []
     for bound, low, high in ((1, 17.5, 17.5), (2, 7.0, 8.0)):
@@ -177,7 +182,9 @@ def sun_beats_nahi(results):
     return better(results, "sun", "nahi")
 
 
-@claim(CLAIMS, "D-C10", "Remarks 2, 5: OMVF and EMVF need the arrival probability, not the arrivals")
+@claim(
+    CLAIMS, "D-C10", "Remarks 2, 5: OMVF and EMVF need the arrival probability, not the arrivals"
+)
 def arrivals_not_needed(results):
     return [
         below(
@@ -197,8 +204,6 @@ def omvf_is_kalman(results):
 
 @claim(CLAIMS, "D-C11 tracking", "Remark 3: at p = 1 the EMVF is the EKF")
 def emvf_is_ekf(results):
-    first, second = (
-        results.runs("wsn_tracking", "n1-arrival=1", f).error for f in ("emvf", "ekf")
-    )
+    first, second = (results.runs("wsn_tracking", "n1-arrival=1", f).error for f in ("emvf", "ekf"))
     tracked = ~_diverged(first) & ~_diverged(second)
     return [equal("estimates of the runs that track", first[tracked], second[tracked])]

@@ -99,8 +99,11 @@ def covariance_update(
 ) -> np.ndarray:
     """P(k+1|k+1) of (15) and (25), symmetrised: the printed form is not symmetric in rounding."""
     reduced = transition - step.gain[..., :, None] * step.row[..., None, :]  # F of (13)
-    correction = process_covariance - first_weight * step.gain[..., :, None] * (
-        np.vecmat(first_row, process_covariance)[..., None, :]
+    correction = (
+        process_covariance
+        - first_weight
+        * step.gain[..., :, None]
+        * (np.vecmat(first_row, process_covariance)[..., None, :])
     )
     updated = reduced @ covariance @ np.swapaxes(transition, -1, -2) + correction
     return (updated + np.swapaxes(updated, -1, -2)) / 2

@@ -54,7 +54,10 @@ def update(
     updated[size:, :size] = updated[:size, size:].T
     mixed = np.outer(transfer @ cross[size:], gain)
     updated[size:, size:] = (
-        transfer @ moment[size:, size:] @ transfer.T + mixed + mixed.T + power * np.outer(gain, gain)
+        transfer @ moment[size:, size:] @ transfer.T
+        + mixed
+        + mixed.T
+        + power * np.outer(gain, gain)
     )
     return updated
 

@@ -111,5 +111,5 @@ def build_with(model: Model, settings: dict, realised_delay) -> Filter:
 
 
 def spread_of_ranges(weights: np.ndarray, ranges: np.ndarray) -> np.ndarray:
-    """Variance of h over the delays, free of the origin: the `matched` reading (not the paper's)."""
+    """Variance of h over the delays, free of the origin: `matched`, which is not the paper's."""
     return (weights * ranges**2).sum(axis=0) - (weights * ranges).sum(axis=0) ** 2

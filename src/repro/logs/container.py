@@ -73,9 +73,7 @@ class Container:
             create_time=0, log_time=0, name=name, media_type=media_type, data=data
         )
         offset, length = self._put(_bytes(attachment))
-        self._attachments.append(
-            AttachmentIndex(offset, length, 0, 0, len(data), name, media_type)
-        )
+        self._attachments.append(AttachmentIndex(offset, length, 0, 0, len(data), name, media_type))
 
     def add_channel(self, topic: str, encoding: str, schema: tuple[str, str, bytes]) -> int:
         """Define a topic with its schema (name, encoding, text); returns the channel's number."""

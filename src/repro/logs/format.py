@@ -51,7 +51,7 @@ def schema_text(fields: tuple[str, ...]) -> bytes:
 
 
 def payload_dtype(fields: int) -> np.dtype:
-    """A cdr-encoded message: encapsulation header, trial, step, values (aligned by construction)."""
+    """A cdr-encoded message: encapsulation header, trial, step, values (aligned as they are)."""
     return np.dtype(
         [("cdr", "u1", 4), ("trial", "<u4"), ("step", "<u4"), ("values", "<f8", (fields,))]
     )

@@ -157,7 +157,9 @@ class _Content:
         where = f"{self.path}: topic {topic}"
         channel = self.channels.get(topic)
         if channel is None or channel.id not in self.runs:
-            raise LogError(f"{where}: missing; the log has {', '.join(self.channels) or 'no topic'}")
+            raise LogError(
+                f"{where}: missing; the log has {', '.join(self.channels) or 'no topic'}"
+            )
         schema = self.schemas.get(channel.schema_id)
         if channel.message_encoding == "json":
             trial, step, values = self._from_json(where, channel.id, fields)
@@ -185,9 +187,7 @@ class _Content:
 
     def _from_json(self, where: str, channel: int, fields: tuple[str, ...]):
         head = record_dtype(0).itemsize - payload_dtype(0).itemsize
-        rows = [
-            json.loads(record[head:].tobytes()) for run in self.runs[channel] for record in run
-        ]
+        rows = [json.loads(record[head:].tobytes()) for run in self.runs[channel] for record in run]
         try:
             table = np.array([[row[name] for name in ("trial", "step", *fields)] for row in rows])
         except (KeyError, TypeError) as error:

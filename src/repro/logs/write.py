@@ -1,7 +1,6 @@
 """Writing a log: byte for byte a function of its content."""
 
 import json
-import os
 from pathlib import Path
 
 import numpy as np
@@ -27,7 +26,7 @@ TRIALS_A_BLOCK = 50  # topics alternate in blocks of trials, so that a player fi
 
 
 def write_log(path: str | Path, log: Log, period: float) -> None:
-    """Write `log` with `period` seconds of log clock a step; the file appears whole or not at all."""
+    """Write `log`, `period` seconds of log clock a step; the file appears whole or not at all."""
     part = Path(f"{path}.part")
     with part.open("wb") as stream:
         container = Container(stream, PROFILE, f"repro {__version__}")
@@ -46,7 +45,7 @@ def write_log(path: str | Path, log: Log, period: float) -> None:
         container.add_attachment(PARAMETERS, "application/json", parameters.encode())
         _write_messages(container, log, round(period * 1e9))
         container.finish()
-    os.replace(part, path)
+    part.replace(path)
 
 
 def _write_messages(container: Container, log: Log, period_ns: int) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 
 
 def nearest(positions: np.ndarray, target: np.ndarray) -> np.ndarray:
-    """Index of the sensor nearest to each target; positions (trials, sensors, 2), target (trials, 2)."""
+    """Index of the nearest sensor; positions (trials, sensors, 2), target (trials, 2)."""
     offset = positions - target[:, None, :]
     return np.argmin((offset**2).sum(axis=-1), axis=-1)
 

@@ -29,9 +29,11 @@ def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
     entry = np.array(parameters["process_noise_entry"])
     scale = np.sqrt(parameters["process_noise_variance"])
     noise = scale * streams("process").standard_normal(steps)[:, :, None] * entry
-    truth = linear_plant.trajectory(parameters["true_initial_state"], noise, parameters["sine_period"])
+    truth = linear_plant.trajectory(
+        parameters["true_initial_state"], noise, parameters["sine_period"]
+    )
     v = np.sqrt(parameters["measurement_variance"]) * streams("sensor").standard_normal(steps + 1)
-    z = truth @ np.array(parameters["measurement_row"]) + v
+    z = np.vecdot(truth, np.array(parameters["measurement_row"])) + v
     flags = packet_delays.arrival_flags(
         streams("network").uniform(
             packet_delays.flags_per_step(bound, lossy=False), steps + 1
