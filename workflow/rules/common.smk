@@ -13,6 +13,8 @@ os.environ["PYTHONPATH"] = os.pathsep.join(
 )
 # Jobs share the cores; threads inside a job would compete and change the rounding of sums.
 os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", MKL_NUM_THREADS="1")
+# glibc gives freed memory back at once by default; arrays of every step would cost page faults.
+os.environ.update(MALLOC_TRIM_THRESHOLD_="268435456", MALLOC_MMAP_THRESHOLD_="268435456")
 
 from repro.errors import ReproError
 from repro.params import load_paper, load_run
