@@ -95,6 +95,44 @@ def bootstrap(
     return as_filter(init, step)
 
 
+def auxiliary(
+    draw_initial: Callable,
+    drift: Callable,
+    disturb: Callable,
+    log_likelihood: Callable,
+    scheme: str = "systematic",
+) -> Filter:
+    """Pitt, Shephard (1999) with drawn intermediate particles, as Song et al., Algorithm 1.
+
+    drift(particles, k)        -> what a transition is before its noise
+    disturb(moved, cloud, k)   -> one draw of the transition, with noise from cloud.streams
+    The two draws from a parent are independent: the same one twice would weigh nothing.
+    """
+
+    def init(streams):
+        return equally_weighted(draw_initial(streams), streams)
+
+    def step(cloud, k, seen):
+        moved = drift(cloud.particles, k)
+        # Intermediate particles; indices with probability prop. to w p(y | eta)
+        first = log_likelihood(disturb(moved, cloud, k), seen, k)
+        with np.errstate(divide="ignore"):
+            log_first_stage = np.log(cloud.weights)
+        log_first_stage += first
+        first_stage, unexplained = _resampling.normalised(log_first_stage)
+        chosen = parents(first_stage, cloud.streams, scheme)
+        # A fresh draw from each chosen parent, weighted by p(y | x) / p(y | eta of the parent)
+        particles = disturb(taken(moved, chosen), cloud, k)
+        log_weights = log_likelihood(particles, seen, k)
+        if unexplained.any():  # there is no first stage to divide by
+            first = np.where(unexplained[..., None], 0.0, first)
+        log_weights -= taken(first, chosen)
+        counted = cloud.degenerate + unexplained.reshape(len(unexplained), -1).sum(axis=1)
+        return weighted(particles, log_weights, cloud._replace(degenerate=counted))
+
+    return as_filter(init, step)
+
+
 def as_filter(init: Callable, step: Callable) -> Filter:
     """A filter whose state is a Cloud; the estimates of all nodes stand in one row."""
     return Filter(

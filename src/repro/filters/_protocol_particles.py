@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from repro.filters import Filter, _censored_likelihood, _particles, _resampling
+from repro.filters import Filter, _censored_likelihood, _particles
 from repro.models.coupled_targets import CoupledTargets, drift, pull
 
 
@@ -27,10 +27,13 @@ class Draws(NamedTuple):
         root = np.diag(self.model.initial_deviation)
         return _particles.gaussian(streams, mean, root, self.particles)
 
-    def drift(self, particles: np.ndarray) -> np.ndarray:
+    def drift(self, particles: np.ndarray, k: int) -> np.ndarray:
         return drift(particles, self.model.speed, self.model.turn_rate)
 
-    def mixture(self, moved: np.ndarray, cloud: _particles.Cloud) -> np.ndarray:
+    def transition(self, particles: np.ndarray, cloud: _particles.Cloud, k: int) -> np.ndarray:
+        return self.mixture(self.drift(particles, k), cloud, k)
+
+    def mixture(self, moved: np.ndarray, cloud: _particles.Cloud, k: int) -> np.ndarray:
         """A draw of (12) from f(x) (trials, nodes, 3, D), coupled to the estimates of step k."""
         _, nodes, components, count = moved.shape
         drawn = cloud.streams.standard_normal(nodes, components, count)
@@ -45,28 +48,15 @@ class Draws(NamedTuple):
 
 
 def auxiliary(model: CoupledTargets, settings: dict, coupled=True, compensated=True) -> Filter:
-    """Algorithm 1. The two draws of (12) from one parent are independent; both start at f(x)."""
-    draws, scheme = _draws(model, settings, coupled), settings["resampling"]
-    log_likelihood = _censored_likelihood.build(model, compensated)
-
-    def init(streams):
-        return _particles.equally_weighted(draws.initial(streams), streams)
-
-    def step(cloud, k, seen):
-        moved = draws.drift(cloud.particles)
-        # Step 2: intermediate particles, and indices with probability prop. to w p(y | eta)
-        first = log_likelihood(draws.mixture(moved, cloud), seen, k)
-        with np.errstate(divide="ignore"):
-            first_stage, _ = _resampling.normalised(np.log(cloud.weights) + first)
-        chosen = _particles.parents(first_stage, cloud.streams, scheme)
-        # Step 3: propagation of the chosen
-        particles = draws.mixture(_particles.taken(moved, chosen), cloud)
-        # Steps 4-6: (22), normalisation, estimate
-        second = log_likelihood(particles, seen, k)
-        second -= _particles.taken(first, chosen)
-        return _particles.weighted(particles, second, cloud)
-
-    return _particles.as_filter(init, step)
+    """Algorithm 1; weights (22)."""
+    draws = _draws(model, settings, coupled)
+    return _particles.auxiliary(
+        draws.initial,
+        draws.drift,
+        draws.mixture,
+        _censored_likelihood.build(model, compensated),
+        settings["resampling"],
+    )
 
 
 def bootstrap(model: CoupledTargets, settings: dict) -> Filter:
@@ -74,7 +64,7 @@ def bootstrap(model: CoupledTargets, settings: dict) -> Filter:
     draws = _draws(model, settings)
     return _particles.bootstrap(
         draws.initial,
-        lambda particles, cloud, k: draws.mixture(draws.drift(particles), cloud),
+        draws.transition,
         _censored_likelihood.build(model),
         settings["resampling"],
     )
@@ -88,7 +78,7 @@ def dead_reckoning(model: CoupledTargets, settings: dict) -> Filter:
         return _particles.equally_weighted(draws.initial(streams), streams)
 
     def step(cloud, k, seen):
-        particles = draws.mixture(draws.drift(cloud.particles), cloud)
+        particles = draws.transition(cloud.particles, cloud, k)
         return cloud._replace(particles=particles, mean=particles.mean(axis=-1))
 
     return _particles.as_filter(init, step)

@@ -1,4 +1,4 @@
-"""Three coupled targets behind censoring sensors and a random access protocol (Song et al., Sec. IV).
+"""Three coupled targets, censoring sensors and a random access protocol (Song et al., Sec. IV).
 
 The studies `deadband` and `saturation` are this one; what differs stands in their parameters.
 """
@@ -122,7 +122,7 @@ def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
 
 
 def channels(log, trials: slice, parameters: dict) -> Recorded:
-    """Values and codes (trials, steps, nodes, b); never the group, but by the reading that says so."""
+    """Values and codes (trials, steps, nodes, b); the group only where `group_known` tells it."""
     received = log.values["/received"][trials]
     values, codes = np.split(received.reshape(*received.shape[:2], 2 * len(TARGETS), -1), 2, axis=2)
     probabilities = np.array(parameters["group_probabilities"])
