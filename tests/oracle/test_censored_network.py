@@ -74,14 +74,15 @@ def test_likelihoods_integrate_to_one(name, position):
 def test_tables_are_as_good_as_the_functions(name):
     model = known(name)
     weakest, strongest = model.strength.range()
-    nodes = np.arange(weakest, strongest + 2 / 64, 1 / 64)
+    step = _censored_likelihood.STEP
+    nodes = np.arange(weakest, strongest + 2 * step, step)
     strength = np.random.default_rng(0).uniform(weakest, strongest, 20000)
     for code in CODES[name]:
         table = _censored_likelihood.Table(
             *_censored_likelihood.log_probability(model, code, nodes)
         )
         exact, _ = _censored_likelihood.log_probability(model, code, strength)
-        np.testing.assert_allclose(table((strength - weakest) * 64), exact, rtol=1e-12, atol=1e-9)
+        np.testing.assert_allclose(table((strength - weakest) / step), exact, rtol=1e-12, atol=1e-8)
 
 
 def test_censored_probabilities_as_printed():
@@ -307,7 +308,7 @@ def test_linear_gaussian_limit_is_the_kalman_filter(kernel):
         return transition @ x
 
     def disturb(moved, cloud, k):
-        return moved + noise[:, None] * cloud.streams.standard_normal(2, size)
+        return moved + noise[:, None] * _particles.standard_normal(cloud.streams, 2, size)
 
     def log_likelihood(x, y, k):
         return -0.5 * (y[:, None] - x[:, 0]) ** 2 / r

@@ -12,7 +12,7 @@ import numpy as np
 from repro.models.coupled_targets import CoupledTargets, log_squared_distance
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE
 
-STEP = 1 / 64  # dB between the nodes of a table; its error is below 1e-9
+STEP = 1 / 32  # dB between the nodes of a table; its error is below 1e-8
 
 
 class Table:

@@ -36,7 +36,7 @@ class Draws(NamedTuple):
     def mixture(self, moved: np.ndarray, cloud: _particles.Cloud, k: int) -> np.ndarray:
         """A draw of (12) from f(x) (trials, nodes, 3, D), coupled to the estimates of step k."""
         _, nodes, components, count = moved.shape
-        drawn = cloud.streams.standard_normal(nodes, components, count)
+        drawn = _particles.standard_normal(cloud.streams, nodes, components, count)
         drawn *= self.model.process_deviation[:, None]
         drawn += moved
         draws = count if self.bernoulli == "particle" else 1
