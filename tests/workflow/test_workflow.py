@@ -1,5 +1,6 @@
 """The workflow as its user meets it."""
 
+import re
 import shutil
 
 import pytest
@@ -9,43 +10,10 @@ from tests.conftest import ROOT
 TABLE = "results/tables/linear_delays.csv"
 RESULTS = ("smoke/results/*.csv", "smoke/results/*/*.csv", "smoke/results/**/*.mcap")
 
-MY_FILTER = '''"""A filter of one's own: it predicts and never looks."""
 
-import numpy as np
-
-from repro.filters import Filter
-
-LABEL = "mine"
-SEES = ("received",)
-
-
-def build(model, settings):
-    return Filter(
-        init=lambda streams: np.tile(model.initial_mean, (len(streams), 1)),
-        step=lambda state, k, seen: settings["gain"] * np.matvec(model.transition_matrix(k), state),
-        mean=lambda state: state,
-    )
-'''
-MY_RULE = """
-
-rule mine:
-    input:
-        log=LOG,
-        code=code("repro.run", "repro.filters.mine"),
-    output:
-        runs("mine", studies=["linear_delays"]),
-    log:
-        logfile("mine"),
-    benchmark:
-        timing("mine")
-    conda:
-        ENVIRONMENT
-    params:
-        name="mine",
-        settings=dict(gain=1.0),
-    script:
-        RUN_FILTER
-"""
+def readme_example() -> list[str]:
+    """The filter and the rule of README.md, so that they are true."""
+    return re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
 
 
 def jobs_of(said: str) -> dict[str, int]:
@@ -89,9 +57,10 @@ def test_a_filter_is_one_file_and_one_rule(trimmed):
     figure = "figures/packet_delays/fig01.png"
     trimmed.snakemake(TABLE, figure, "--config", "trials=4")
     before = (trimmed.folder / figure).read_bytes()
-    (trimmed.folder / "src/repro/filters/mine.py").write_text(MY_FILTER)
+    mine, rule = readme_example()
+    (trimmed.folder / "src/repro/filters/mine.py").write_text(mine)
     with (trimmed.folder / "workflow/rules/filters.smk").open("a") as rules:
-        rules.write(MY_RULE)
+        rules.write(f"\n\n{rule}")
     planned = jobs_of(trimmed.snakemake("-n", TABLE, figure, "--config", "trials=4"))
     assert planned == {"mine": 2, "table": 1, "figure": 1}
     trimmed.snakemake(TABLE, figure, "--config", "trials=4")
