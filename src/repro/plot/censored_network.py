@@ -67,7 +67,7 @@ def track(results: Results, name: str, target: int, trial: int) -> Figure:
         aspect="equal",
         title=f"target {target}, run {trial}",
     )
-    axes.legend(fontsize=8)
+    drawn.legend(fontsize=8, loc="outside right upper")
     return drawn
 
 
@@ -98,7 +98,7 @@ def first_component(results: Results, name: str, trial: int) -> Figure:
     for threshold in ("lower_threshold", "upper_threshold"):
         upper.axhline(log.parameters[threshold], color="0.4", ls=":", lw=1)
     upper.set(ylabel=r"first component of $y_k^1$ in dB", title=f"target 1, run {trial}")
-    upper.legend(fontsize=7, ncols=2)
+    drawn.legend(fontsize=7.5, ncols=2, loc="outside lower center")
     lower.plot(k, group, "s", color="black", ms=3)
     lower.set(xlabel="k (steps)", ylabel=r"group $\rho_k^1$", yticks=[1, 2], ylim=(0.5, 2.5))
     return drawn
@@ -181,7 +181,7 @@ def time_averages(results: Results, name: str) -> Figure:
     grid[0].errorbar([], [], [], fmt="_", ms=11, color="black", capsize=3, label="published")
     grid[0].errorbar([], [], [], fmt="o", ms=5, color="0.3", capsize=3, label="ours")
     grid[0].set_ylabel("time-averaged position RMSE in m")
-    grid[0].legend(fontsize=8)
+    drawn.legend(fontsize=8, ncols=2, loc="outside upper right")
     return drawn
 
 
