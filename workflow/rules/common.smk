@@ -157,13 +157,18 @@ def table_files(paper):
     return [f"{RESULTS}/tables/{table}.csv" for table in tables]
 
 
-def figure_scripts(paper):
-    """Figure scripts of a paper by name, without those that are drawn on request."""
-    return {
-        path.stem: str(path)
-        for path in sorted(Path("figures", paper).glob("*.py"))
+def figure_files():
+    """Pictures of every figure script that is not drawn on request: the papers', the overview's."""
+    return [
+        f"{FIGURES}/{path.parent.name}/{path.stem}.png"
+        for path in sorted(Path("figures").glob("*/*.py"))
         if not constants(str(path))["NEEDS"].get("on_request")
-    }
+    ]
+
+
+def studies_of(paper):
+    """Studies of a paper; of all papers for the overview."""
+    return PAPERS[paper].studies if paper in PAPERS else STUDIES
 
 
 def figure_inputs(wildcards):
@@ -174,7 +179,9 @@ def figure_inputs(wildcards):
     files += [f"{RESULTS}/curves/{study}.csv" for study in tables if study in STUDIES]
     for study, points in needs.get("points", {}).items():
         files += [*log_files(study, points), *run_files(study, points)]
-    return files + ([f"{RESULTS}/diff.csv"] if needs.get("diff") else [])
+    if needs.get("diff"):
+        files += [f"{RESULTS}/diff.csv", *(f"{RESULTS}/claims/{paper}.csv" for paper in PAPERS)]
+    return files
 
 
 def commit():

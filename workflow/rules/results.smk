@@ -150,7 +150,7 @@ rule figure:
         ENVIRONMENT
     params:
         results=lambda wildcards: RESULTS,
-        catalogue=lambda wildcards: catalogue(*PAPERS[wildcards.paper].studies),
+        catalogue=lambda wildcards: catalogue(*studies_of(wildcards.paper)),
         shards=len(SHARDS),
         caption=lambda wildcards: constants(f"figures/{wildcards.paper}/{wildcards.figure}.py")[
             "CAPTION"
@@ -178,6 +178,53 @@ rule parameters:
         "../scripts/parameters.py"
 
 
+rule assumptions:
+    input:
+        files=PARAMETER_FILES,
+        published=[f"params/published/{paper}.csv" for paper in PAPERS],
+        tables=expand(f"{RESULTS}/tables/{{study}}.csv", study=STUDIES),
+        code=code("repro.assumptions"),
+    output:
+        f"{RESULTS}/assumptions.md",
+    log:
+        f"{RESULTS}/job_logs/assumptions.log",
+    conda:
+        ENVIRONMENT
+    params:
+        papers={
+            paper: {
+                "parameters": f"params/{paper}.yaml",
+                "published": f"params/published/{paper}.csv",
+                "studies": {
+                    study: {name: point._asdict() for name, point in points.items()}
+                    for study, points in content.studies.items()
+                },
+                "tables": {study: f"{RESULTS}/tables/{study}.csv" for study in content.studies},
+            }
+            for paper, content in PAPERS.items()
+        },
+        tolerance=RUN["tolerance"],
+    script:
+        "../scripts/assumptions.py"
+
+
+rule gallery:
+    input:
+        scripts=sorted(str(path) for path in Path("figures").glob("*/*.py")),
+        code=code("repro.gallery"),
+    output:
+        f"{FIGURES}/README.md",
+    log:
+        f"{RESULTS}/job_logs/gallery.log",
+    conda:
+        ENVIRONMENT
+    params:
+        titles={"overview": "All papers."}
+        | {paper: f"{content.authors}: {content.title}." for paper, content in PAPERS.items()},
+    script:
+        "../scripts/gallery.py"
+
+
 rule manifest:
     input:
         parameters=["params/run.yaml", *PARAMETER_FILES, *rules.diff.input.published],
@@ -186,14 +233,11 @@ rule manifest:
             rules.diff.input.claims,
             rules.diff.input.tables,
             rules.parameters.output,
+            rules.assumptions.output,
             expand(f"{RESULTS}/curves/{{study}}.csv", study=STUDIES),
         ],
         logs=[file for study in STUDIES for file in log_files(study)],
-        figures=[
-            f"{FIGURES}/{paper}/{figure}.png"
-            for paper in PAPERS
-            for figure in figure_scripts(paper)
-        ],
+        figures=[*figure_files(), rules.gallery.output],
         code=code("repro.manifest"),
     output:
         f"{RESULTS}/manifest.json",
@@ -210,7 +254,8 @@ rule manifest:
 
 rule verify:
     input:
-        f"{RESULTS}/diff.csv",
+        diff=f"{RESULTS}/diff.csv",
+        manifest=f"{RESULTS}/manifest.json",
     log:
         f"{RESULTS}/job_logs/verify.log",
     conda:
@@ -230,3 +275,25 @@ rule timings:
         results=lambda wildcards: RESULTS,
     script:
         "../scripts/timings.py"
+
+
+rule view:
+    input:
+        logs=lambda wildcards: log_files(wildcards.study, [wildcards.point]),
+        runs=lambda wildcards: run_files(wildcards.study, [wildcards.point]),
+        code=code("repro.view"),
+    output:
+        view=f"{RESULTS}/views/{{study}}/{{point}}/trial-{{trial}}.mcap",
+        layout=f"{RESULTS}/views/{{study}}/{{point}}/trial-{{trial}}.layout.json",
+    log:
+        logfile("view", "study", "point", "trial"),
+    wildcard_constraints:
+        trial="[0-9]+",
+    conda:
+        ENVIRONMENT
+    params:
+        results=lambda wildcards: RESULTS,
+        catalogue=lambda wildcards: catalogue(wildcards.study),
+        shards=len(SHARDS),
+    script:
+        "../scripts/view.py"

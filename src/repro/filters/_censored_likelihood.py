@@ -63,7 +63,7 @@ def build(model: CoupledTargets, compensated: bool = True) -> Callable:
     """log_likelihood(particles, seen, k) -> (trials, nodes, particles).
 
     seen.received and seen.code (trials, nodes, b); seen.group_probability (trials, nodes, M).
-    Without compensation (NMC) every value is taken for an exact reading.
+    Without compensation (NMC) every value is taken for an exact reading, and no code is looked at.
     """
     groups, size, _ = model.sensors.shape
     # Reading by reading, so that what a code decides is contiguous: sensors (b, M).
@@ -79,7 +79,7 @@ def build(model: CoupledTargets, compensated: bool = True) -> Callable:
         log_d2 = log_squared_distance(particles, sensors)
         trials, targets, _, count = log_d2.shape
         readings = log_d2.reshape(trials, targets, size, groups, count)
-        code = seen.code if compensated else np.zeros_like(seen.code)
+        code = seen.code if compensated else np.full(seen.received.shape, EXACT)
         exact = code == EXACT
         error = readings[exact]  # y - h
         error *= -b

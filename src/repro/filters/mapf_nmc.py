@@ -4,7 +4,7 @@ from repro.filters import Filter, _protocol_particles
 from repro.models.coupled_targets import CoupledTargets
 
 LABEL = "MAPF-NMC"
-SEES = ("received", "code", "group_probability")
+SEES = ("received", "group_probability")
 
 
 def build(model: CoupledTargets, settings: dict) -> Filter:

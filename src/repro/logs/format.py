@@ -39,7 +39,8 @@ class Log(NamedTuple):
 
 
 def schema_name(study: str, topic: str) -> str:
-    camel = "".join(part.capitalize() for part in f"{study}_{topic.strip('/')}".split("_"))
+    words = f"{study}_{topic}".replace("/", "_").split("_")
+    camel = "".join(word.capitalize() for word in words)
     return f"repro_msgs/msg/{camel}"
 
 
