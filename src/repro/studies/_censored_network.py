@@ -15,6 +15,7 @@ from repro.network.random_access import transmitted, transmitting_group
 TARGETS = ("1", "2", "3")
 COMPONENTS = (*(f"target_{i}" for i in TARGETS), "average")
 STATE = ("px", "py", "phi")
+TRAJECTORY = tuple((f"px_{i}", f"py_{i}") for i in TARGETS)
 LOST_ABOVE = 10.0  # m: a run with a larger error has lost the target
 TRIALS_A_BLOCK = 4  # the readings of all particles of a block stay in a cache of 1 MB
 HORIZON = 50  # the first steps that the reading of a shorter horizon looks at

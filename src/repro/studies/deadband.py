@@ -1,6 +1,7 @@
 """Dead-band censoring (Song et al., (4); Table I, Figures 2-8)."""
 
 from repro.studies._censored_network import (
+    TRAJECTORY,
     TRIALS_A_BLOCK,
     channels,
     curves,
@@ -14,6 +15,7 @@ from repro.studies._censored_network import (
 )
 
 __all__ = [
+    "TRAJECTORY",
     "TRIALS_A_BLOCK",
     "channels",
     "curves",

@@ -1,6 +1,7 @@
 """Saturation censoring (Song et al., (5); Table II, Figures 9-15)."""
 
 from repro.studies._censored_network import (
+    TRAJECTORY,
     TRIALS_A_BLOCK,
     channels,
     curves,
@@ -14,6 +15,7 @@ from repro.studies._censored_network import (
 )
 
 __all__ = [
+    "TRAJECTORY",
     "TRIALS_A_BLOCK",
     "channels",
     "curves",
