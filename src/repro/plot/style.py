@@ -6,7 +6,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 
-from matplotlib import pyplot
+from matplotlib import pyplot, ticker
 from matplotlib.figure import Figure
 
 from repro.results import Catalogue
@@ -46,6 +46,15 @@ def look(catalogue: Catalogue, study: str, filter_: str) -> dict:
     order = list(dict.fromkeys(f for filters in catalogue[study].values() for f in filters))
     place = order.index(filter_)
     return {"color": COLOURS[place % len(COLOURS)], "marker": MARKERS[place % len(MARKERS)]}
+
+
+def plain_log(axes, which: str = "y") -> None:
+    """A logarithmic axis of less than three decades, with plain numbers at 1, 2 and 5."""
+    axes.set(**{f"{which}scale": "log"})
+    axis = getattr(axes, f"{which}axis")
+    axis.set_major_locator(ticker.LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
+    axis.set_minor_formatter(ticker.NullFormatter())
 
 
 def save(drawn: Figure, path: str | Path) -> None:
