@@ -43,6 +43,16 @@ def root_mean(per_trial: np.ndarray) -> Statistic:
     return Statistic(value, jackknife_error(left_out), *_quantiles(np.sqrt(per_trial)))
 
 
+def mean_of_roots(per_trial: np.ndarray) -> Statistic:
+    """Mean over the steps (axis 1) of roots of means over the trials (axis 0), with its jackknife.
+
+    Its quantiles are those of the single trials' mean error.
+    """
+    left_out = leave_one_out(per_trial, np.sqrt).mean(axis=1)
+    value = np.sqrt(per_trial.mean(axis=0)).mean()
+    return Statistic(value, jackknife_error(left_out), *_quantiles(np.sqrt(per_trial).mean(axis=1)))
+
+
 def leave_one_out(per_trial: np.ndarray, function) -> np.ndarray:
     """function(mean over all trials but one), one row for each trial left out."""
     trials = len(per_trial)
