@@ -43,8 +43,8 @@ def build(model: SensorNetwork, settings: dict) -> Filter:
         belief = chain.T @ belief
         total = np.zeros(chosen.shape)
         for i in range(model.sensors):
-            with np.errstate(divide="ignore"):  # log 0 = -inf is meant
-                sent = _ross_eh.log_sent(model, particles, z[:, i], i, saturates=True)
+            level = model.level(particles, i)
+            sent = model.noise.log_likelihood(z[:, i], level, i, model.saturation, transmission=1.0)
             lost = model.noise.log_channel(z[:, i])[:, None]
             largest = np.maximum(sent, lost)
             likelihood = np.where(

@@ -8,7 +8,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from repro.network.saturation import Saturation, saturated
 from repro.streams import Streams
+
+# exp(-700) adds nothing to one; below it exp is ten times slower, for its result underflows.
+EXPONENT_FLOOR = -700.0
 
 
 class SensorNetwork(NamedTuple):
@@ -21,7 +25,7 @@ class SensorNetwork(NamedTuple):
     move: Callable  # (x(k-1), k, streams) -> x(k) ~ p(x(k)|x(k-1)); may overwrite its argument
     level: Callable  # (x, i) -> h^i(x) of sensor i, (trials, particles)
     noise: Any  # GaussianNoise or ExponentialNoise
-    saturation: Any = None  # network.saturation.Saturation
+    saturation: Saturation | None = None
     energy: Any = None  # network.energy_harvesting.EnergyQueue
 
 
@@ -38,12 +42,49 @@ class GaussianNoise(NamedTuple):
         return nu, np.sqrt(self.channel_variance) * drawn[:, :, 1]
 
     def log_sum(self, error: np.ndarray, i: int) -> np.ndarray:
-        """log density of nu^i + n^i (28), written over `error`."""
-        return _log_normal(error, self.measurement_variances[i] + self.channel_variance)
+        """log density of nu^i + n^i, the convolution (28)."""
+        variance = self.measurement_variances[i] + self.channel_variance
+        return _squares(error.copy(), variance) + _log_peak(variance)
 
     def log_channel(self, z: np.ndarray) -> np.ndarray:
         """log density of n."""
-        return _log_normal(z.copy(), self.channel_variance)
+        return _squares(z.copy(), self.channel_variance) + _log_peak(self.channel_variance)
+
+    def log_likelihood(
+        self,
+        z: np.ndarray,
+        level: np.ndarray,
+        i: int,
+        saturation: Saturation | None,
+        transmission: float,
+    ) -> np.ndarray:
+        """log p(z^i | x) of (15), (trials, particles), from z (trials,) and levels h^i(x).
+
+        Without saturation gbar = 0. In logarithms, as p_n(z) underflows. Beyond the saturation
+        level Sat(h) is one number, and so is its term, for all particles of a trial; elsewhere
+        Sat(h) = h and the two terms of (20) are one.
+        """
+        variance = self.measurement_variances[i] + self.channel_variance
+        with np.errstate(divide="ignore"):  # log 0 = -inf is meant
+            shared = np.log(transmission) + _log_peak(variance)
+            lost = np.log1p(-transmission) + self.log_channel(z) - shared
+        sent, other = _squares(z[:, None] - level, variance), lost[:, None]
+        if saturation is not None:
+            with np.errstate(divide="ignore"):
+                log_clear, log_clipped = (
+                    np.log1p(-saturation.probability),
+                    np.log(saturation.probability),
+                )
+            for limit in (-saturation.level, saturation.level):
+                beyond = level < limit if limit < 0 else level > limit
+                if beyond.any():  # else nothing would change
+                    clipped = log_clipped + _squares(z - limit, variance)
+                    other = np.where(beyond, np.logaddexp(lost, clipped)[:, None], other)
+                    sent += np.where(beyond, log_clear, 0.0)
+        if saturation is not None or transmission < 1.0:
+            sent = _log_add(sent, other)
+        sent += shared
+        return sent
 
 
 class ExponentialNoise(NamedTuple):
@@ -58,21 +99,68 @@ class ExponentialNoise(NamedTuple):
         return drawn[:, :, 0], drawn[:, :, 1]
 
     def log_sum(self, error: np.ndarray, i: int) -> np.ndarray:
-        """log density of nu^i + n^i (28), written over `error`; -inf where error <= 0."""
-        error *= 1 / self.mean
-        positive = np.maximum(error, 0.0)
-        np.log(positive, out=positive)
-        np.subtract(positive, error, out=error)
-        error -= np.log(self.mean)
-        return error
+        """log density of nu^i + n^i, the convolution (28); -inf where error <= 0."""
+        with np.errstate(divide="ignore"):  # log 0 = -inf is meant
+            return np.log(self._sum(error.copy(), 1.0))
+
+    def _sum(self, error: np.ndarray, factor: float) -> np.ndarray:
+        """The factor times the density of nu^i + n^i; overwrites error."""
+        np.maximum(error, 0.0, out=error)
+        decay = error * (-1 / self.mean)
+        np.exp(decay, out=decay)
+        decay *= error
+        decay *= factor / self.mean**2
+        return decay
 
     def log_channel(self, z: np.ndarray) -> np.ndarray:
         """log density of n; -inf where z < 0."""
         return np.where(z >= 0, -z / self.mean - np.log(self.mean), -np.inf)
 
+    def log_likelihood(
+        self,
+        z: np.ndarray,
+        level: np.ndarray,
+        i: int,
+        saturation: Saturation | None,
+        transmission: float,
+    ) -> np.ndarray:
+        """log p(z^i | x) of (15), (trials, particles), from z (trials,) and levels h^i(x).
 
-def _log_normal(value: np.ndarray, variance: float) -> np.ndarray:
-    value *= value
-    value *= -0.5 / variance
-    value -= 0.5 * np.log(2 * np.pi * variance)
-    return value
+        Without saturation gbar = 0. The densities are no smaller than exp(-z / mean) where they
+        are positive, so that their sum needs no logarithms; its own is -inf where x cannot have
+        led to z.
+        """
+        z = z[:, None]
+        clipped = 0.0 if saturation is None else saturation.probability
+        density = self._sum(z - level, transmission * (1.0 - clipped))
+        if saturation is not None:
+            error = z - saturated(level, saturation.level)
+            density += self._sum(error, transmission * clipped)
+        if transmission < 1.0:
+            density += (1.0 - transmission) * np.exp(self.log_channel(z))
+        with np.errstate(divide="ignore"):  # log 0 = -inf is meant
+            return np.log(density, out=density)
+
+
+def _squares(error: np.ndarray, variance: float) -> np.ndarray:
+    """-error^2 / (2 variance), written over error."""
+    error *= error
+    error *= -0.5 / variance
+    return error
+
+
+def _log_peak(variance: float) -> float:
+    return -0.5 * np.log(2 * np.pi * variance)
+
+
+def _log_add(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    """log(exp(first) + exp(second)), as numpy.logaddexp but ten times faster; first is finite
+    where second is not."""
+    largest = np.maximum(first, second)
+    rest = np.minimum(first, second)
+    rest -= largest
+    np.maximum(rest, EXPONENT_FLOOR, out=rest)
+    np.exp(rest, out=rest)
+    np.log1p(rest, out=rest)
+    largest += rest
+    return largest

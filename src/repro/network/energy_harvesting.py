@@ -63,15 +63,17 @@ def lemma_1(queue: EnergyQueue, steps: int) -> np.ndarray:
     """
     top = queue.capacity
     chi = np.eye(top + 1)[top]
-    law, tau = queue.initial_harvest, np.zeros((steps + 1, top + 1))
+    law, tau = np.zeros(max(top, len(queue.initial_harvest))), np.zeros((steps + 1, top + 1))
+    harvests = len(queue.initial_harvest)
+    law[:harvests] = queue.initial_harvest
     tau[0, queue.initial_energy] = 1.0
     for k in range(1, steps + 1):
-        law = law @ queue.harvest_transition  # p(k) of (24), (25)
+        law[:harvests] = law[:harvests] @ queue.harvest_transition  # p(k) of (24), (25)
         s = np.zeros((top + 1, top + 1))
         for held in range(top + 1):
             left = max(held - 1, 0)
-            column = np.pad(law, (left, top))[:top]
-            s[:top, held], s[top, held] = column, -column.sum()
+            s[left:top, held] = law[: top - left]
+            s[top, held] = -s[:top, held].sum()
         tau[k] = chi + s @ tau[k - 1]  # (24)
     return tau
 
