@@ -17,7 +17,7 @@ def job(log: str, work: Callable[[], object]) -> None:
         work()
     except ReproError as error:
         Path(log).write_text(f"error: {error}\n")
-        sys.exit(1)
+        sys.exit(f"error: {error}")
     Path(log).write_text(f"{USAGE} cpu_s={time.process_time():.3f} peak_mb={_peak_mb():.1f}\n")
 
 

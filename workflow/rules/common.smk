@@ -8,9 +8,8 @@ from pathlib import Path
 SOURCE = Path(workflow.basedir) / "src"
 # Before any installed copy, for this process and for its jobs: the code is this folder's.
 sys.path.insert(0, str(SOURCE))
-os.environ["PYTHONPATH"] = os.pathsep.join(
-    filter(None, [str(SOURCE), os.environ.get("PYTHONPATH")])
-)
+SEARCHED = os.pathsep.join(filter(None, [str(SOURCE), os.environ.get("PYTHONPATH")]))
+os.environ.update(PYTHONPATH=SEARCHED)
 # Jobs share the cores; threads inside a job would compete and change the rounding of sums.
 os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", MKL_NUM_THREADS="1")
 
@@ -26,6 +25,10 @@ except ReproError as error:
     sys.exit(f"error: {error}")
 
 STUDIES = {study: points for paper in PAPERS.values() for study, points in paper.studies.items()}
+if "trials" in RUN:
+    for points in STUDIES.values():
+        for point in points.values():
+            point.parameters.update(trials=RUN["trials"])
 SHARDS = range(RUN["shards"])
 RESULTS = f"{RUN['into']}/results" if "into" in RUN else "results"
 FIGURES = f"{RUN['into']}/figures" if "into" in RUN else "figures"
@@ -50,7 +53,7 @@ def runs(name, studies, points="*"):
     for study in studies:
         if study not in CATALOGUE:
             sys.exit(
-                f"error: rule {name}: there is no study '{study}'; "
+                f"error: filter {name}: there is no study '{study}'; "
                 f"known are {', '.join(CATALOGUE)}"
             )
         patterns = [points] if isinstance(points, str) else points
@@ -87,13 +90,13 @@ def timing(rule, *wildcards):
 
 
 def _place(folder, rule, wildcards, ending):
-    wildcards = wildcards or ("study", "point", "shard")
-    return "/".join([RESULTS, folder, rule, *(f"{{{name}}}" for name in wildcards)]) + f".{ending}"
+    parts = [f"{{{name}}}" for name in wildcards or ("study", "point", "shard")]
+    return str(Path(RESULTS, folder, rule, *parts)) + f".{ending}"
 
 
 def trial_range(study, point, shard):
     """First and last + 1 of the trials of a shard."""
-    trials = RUN.get("trials", STUDIES[study][point].parameters["trials"])
+    trials = STUDIES[study][point].parameters["trials"]
     shard, shards = int(shard), len(SHARDS)
     return shard * trials // shards, (shard + 1) * trials // shards
 

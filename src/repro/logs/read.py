@@ -82,7 +82,7 @@ class _Content:
         self.runs: dict[int, list[np.ndarray]] = {}  # raw records by channel, (messages, bytes)
         self.provenance: dict[str, str] | None = None
         self.parameters: dict = {}
-        self._ended = False
+        self._closed: set[Opcode] = set()
         try:
             data = Path(path).read_bytes()
         except OSError as error:
@@ -103,8 +103,8 @@ class _Content:
         if data[:MAGIC_SIZE] != MCAP0_MAGIC or data[-MAGIC_SIZE:] != MCAP0_MAGIC:
             raise ValueError("no MCAP magic at both ends")
         self._walk(data, MAGIC_SIZE, len(data) - MAGIC_SIZE)
-        if not self._ended:
-            raise ValueError("no end of the data section")
+        if self._closed != {Opcode.DATA_END, Opcode.FOOTER}:
+            raise ValueError("no end of the data section, or no footer")
 
     def _walk(self, data: bytes, position: int, stop: int) -> None:
         """Take in the records of a file or of a chunk; messages in runs of one channel and size."""
@@ -122,9 +122,10 @@ class _Content:
                 (crc,) = CRC.unpack_from(data, body)
                 if crc not in (0, zlib.crc32(memoryview(data)[:position])):
                     raise ValueError("CRC of the data section")
-                self._ended = True
+                self._closed.add(Opcode.DATA_END)
             elif opcode == Opcode.FOOTER:
                 _check_summary(data, Footer.read(_stream(data, body, end)), end - CRC.size)
+                self._closed.add(Opcode.FOOTER)
             elif opcode in _READ:
                 self._take(_READ[opcode](_stream(data, body, end)))
             position = end

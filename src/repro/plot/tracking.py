@@ -111,7 +111,14 @@ def error_over_k(
         axes.axhline(high, color="black", lw=1, ls=":")
         axes.axhline(low, color="black", lw=1, ls=":")
         axes.annotate(
-            name, (1, low), fontsize=8, va="top", xytext=(0, -1), textcoords="offset points"
+            name,
+            (1, low),
+            fontsize=8,
+            va="top",
+            xytext=(0, -2),
+            textcoords="offset points",
+            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.5},
+            zorder=5,
         )
     axes.set(
         yscale="log",

@@ -1,0 +1,54 @@
+"""What several tests share: the parameters, the registered filters, small logs in memory."""
+
+import ast
+import fnmatch
+import re
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from repro.logs import Log
+from repro.params import Point, load_paper
+from repro.simulate import simulated
+
+ROOT = Path(__file__).parent.parent
+SCHEMAS = ROOT / "workflow" / "schemas"
+SEED = 1
+
+
+@cache
+def points() -> dict[str, dict[str, Point]]:
+    """Resolved points of every study of every paper."""
+    files = sorted(f for f in (ROOT / "params").glob("*.yaml") if f.name != "run.yaml")
+    return {
+        study: found for file in files for study, found in load_paper(file, SCHEMAS).studies.items()
+    }
+
+
+def registered() -> list[tuple[str, str, str]]:
+    """(filter, study, first point it runs on) of every runs(...) in the catalogue of rules."""
+    text = (ROOT / "workflow" / "rules" / "filters.smk").read_text()
+    found = []
+    for call in re.findall(r"^ +(runs\(.*?\))", text, re.DOTALL | re.MULTILINE):
+        node = ast.parse(call, mode="eval").body
+        options = {keyword.arg: ast.literal_eval(keyword.value) for keyword in node.keywords}
+        patterns = options.get("points", "*")
+        patterns = [patterns] if isinstance(patterns, str) else patterns
+        for study in options["studies"]:
+            matching = (
+                point
+                for point in points()[study]
+                if any(fnmatch.fnmatchcase(point, pattern) for pattern in patterns)
+            )
+            found.append((ast.literal_eval(node.args[0]), study, next(matching)))
+    return found
+
+
+@cache
+def small_log(study: str, point: str, trials: int = 5, steps: int = 12, first: int = 0) -> Log:
+    """A short log of a point, in memory."""
+    parameters = dict(points()[study][point].parameters)
+    if "steps" in parameters:
+        parameters["steps"] = min(parameters["steps"], steps)
+    return simulated(study, point, parameters, SEED, np.arange(first, first + trials))

@@ -1,0 +1,74 @@
+"""What every registered filter must keep, whoever wrote it. Filters are found by themselves."""
+
+import numpy as np
+import pytest
+
+from repro.run import filter_module, run
+from repro.studies import study_module
+from tests.conftest import points, registered, small_log
+
+FILTERS = [pytest.param(*entry, id=f"{entry[0]}-{entry[1]}") for entry in registered()]
+CHANGED_AFTER = 6
+
+
+def estimate(log, name, point):
+    return run(log, name, points()[log.study][point].filters.get(name, {}))[0]
+
+
+@pytest.mark.parametrize(("name", "study", "point"), FILTERS)
+def test_estimates_are_finite_and_of_the_states_shape(name, study, point):
+    log = small_log(study, point)
+    found = estimate(log, name, point)
+    assert found.shape == log.values["/truth"].shape
+    assert np.isfinite(found).all()
+
+
+@pytest.mark.parametrize(("name", "study", "point"), FILTERS)
+def test_same_seed_same_result_and_batches_do_not_matter(name, study, point):
+    together = estimate(small_log(study, point), name, point)
+    alone = [estimate(small_log(study, point, 1, first=i), name, point) for i in range(5)]
+    np.testing.assert_array_equal(together, np.concatenate(alone))
+
+
+@pytest.mark.parametrize(("name", "study", "point"), FILTERS)
+def test_the_future_is_not_seen(name, study, point):
+    log = small_log(study, point)
+    values = {topic: array.copy() for topic, array in log.values.items()}
+    for topic in ("/sensor", "/received"):
+        later = values[topic][:, CHANGED_AFTER + 1 :]
+        values[topic][:, CHANGED_AFTER + 1 :] = later[:, ::-1]
+    before, after = (estimate(entry, name, point) for entry in (log, log._replace(values=values)))
+    np.testing.assert_array_equal(before[:, : CHANGED_AFTER + 1], after[:, : CHANGED_AFTER + 1])
+
+
+@pytest.mark.parametrize(("name", "study", "point"), FILTERS)
+def test_the_truth_is_not_seen(name, study, point):
+    log = small_log(study, point)
+    hidden = log.values | {"/truth": np.full_like(log.values["/truth"], np.nan)}
+    np.testing.assert_array_equal(
+        estimate(log, name, point), estimate(log._replace(values=hidden), name, point)
+    )
+
+
+@pytest.mark.parametrize(("name", "study", "point"), FILTERS)
+def test_undeclared_channels_are_not_seen(name, study, point, monkeypatch):
+    log, module = small_log(study, point), study_module(study)
+    before = estimate(log, name, point)
+    declared = {*filter_module(name).SEES, "sensor", "earlier_sensors"}
+    channels = module.channels
+
+    def scrambled(*arguments):
+        loop = channels(*arguments)
+        offers = loop.at
+
+        def at(k, predicted):
+            return {
+                channel: value if channel in declared else np.full(np.shape(value), np.nan)
+                for channel, value in offers(k, predicted).items()
+            }
+
+        loop.at = at
+        return loop
+
+    monkeypatch.setattr(module, "channels", scrambled)
+    np.testing.assert_array_equal(before, estimate(log, name, point))

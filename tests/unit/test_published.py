@@ -1,0 +1,135 @@
+import numpy as np
+import pandas as pd
+import pytest
+
+from repro.claims import Part, below, most, overall, smaller
+from repro.errors import ReproError
+from repro.published import COLUMNS, compare, compare_value, read_published, tally_lines, verify
+
+
+def ours(value, mcse, trials):
+    return pd.Series({"value": value, "mcse": mcse, "trials": trials})
+
+
+@pytest.mark.parametrize(
+    ("value", "mcse", "trials", "verdict"),
+    [
+        (5.00, 0.0, 1, "match"),
+        (5.005, 0.0, 1, "match"),  # rounds to 5.00 or 5.01
+        (5.006, 0.0, 1, "differs"),
+        (
+            5.67,
+            0.1,
+            400,
+            "match",
+        ),  # their error: 0.1 sqrt(400 / 100); 3 hypot(.1, .2) + .005 = .676
+        (5.68, 0.1, 400, "differs"),
+        (4.32, 0.1, 400, "differs"),
+        (np.nan, 0.1, 400, "differs"),
+    ],
+)
+def test_verdict_of_a_value(value, mcse, trials, verdict):
+    assert compare_value(5.0, 2, 100, ours(value, mcse, trials), 3.0)["verdict"] == verdict
+
+
+def test_their_error_is_our_spread_at_their_number_of_trials():
+    row = compare_value(5.0, 2, 100, ours(5.3, 0.1, 400), 3.0)
+    assert row["their_error"] == pytest.approx(0.2)
+    assert row["z"] == pytest.approx(0.3 / np.hypot(0.1, 0.2))
+
+
+def test_verdict_of_a_claim():
+    assert Part("", -0.31, 0.1).verdict(3) == "holds"
+    assert Part("", -0.29, 0.1).verdict(3) == "undecided"
+    assert Part("", 0.31, 0.1).verdict(3) == "fails"
+    assert Part("", 0.0, 0.0).verdict(3) == "fails"
+    assert Part("", np.nan, 0.1).verdict(3) == "undecided"
+    assert overall(["holds", "holds"]) == "holds"
+    assert overall(["holds", "undecided"]) == "undecided"
+    assert overall(["holds", "undecided", "fails"]) == "fails"
+
+
+def test_parts_are_paired():
+    common = np.random.default_rng(0).normal(scale=100, size=50)
+    part = smaller("", common + np.linspace(0, 1, 50), common + 1.0)
+    assert part.difference == pytest.approx(-0.5)
+    assert part.mcse == pytest.approx(np.linspace(0, 1, 50).std(ddof=1) / np.sqrt(50))
+    assert below("", 1.0, 2.0).verdict(3) == "holds"
+    assert most("", np.array([True] * 90 + [False] * 10)).verdict(3) == "holds"
+    assert most("", np.array([True] * 52 + [False] * 48)).verdict(3) == "undecided"
+    assert most("", np.array([], dtype=bool)).verdict(3) == "undecided"
+
+
+def published(**changes):
+    row = dict.fromkeys(COLUMNS, "") | {
+        "item": "T1",
+        "study": "s",
+        "point": "p",
+        "filter": "f",
+        "metric": "rmse",
+        "component": "x",
+        "value": "2.0",
+        "digits": "1",
+        "kind": "value",
+        "trials": "100",
+        "expect": "match",
+    }
+    return pd.DataFrame([row | changes], columns=COLUMNS)
+
+
+TABLE = pd.DataFrame(
+    [{"study": "s", "point": "p", "filter": "f", "metric": "rmse", "component": "x"}]
+).assign(value=2.2, mcse=0.01, trials=100)
+CLAIMS = pd.DataFrame(
+    {"item": ["C1"], "statement": ["A < B"], "part": ["a"], "difference": [1.0]}
+).assign(mcse=0.1, verdict="fails")
+
+
+def test_rows_of_the_diff_and_the_tally():
+    rows = pd.concat([published(), published(item="C1", kind="claim", expect="fails", reason="r")])
+    diff = pd.DataFrame(compare("paper", rows, TABLE, CLAIMS, 3.0, "file"))
+    assert diff["verdict"].tolist() == ["differs", "fails"]
+    assert diff["as_expected"].tolist() == [False, True]
+    (line,) = tally_lines(diff)
+    assert line == (
+        "paper: 1 values: 0 match, 1 differs; 1 claims: 0 holds, 1 fails, 0 undecided; "
+        "1 not as expected"
+    )
+
+
+@pytest.mark.parametrize(
+    ("rows", "said"),
+    [
+        (published(metric="mse"), "T1: no table has a row for s, p, f, mse, x"),
+        (published(item="C2", kind="claim", expect="holds"), "C2: no claim of this name is tested"),
+        (published(), "the tested claim 'C1' has no row here"),
+    ],
+)
+def test_rows_that_belong_to_nothing_are_refused(rows, said):
+    with pytest.raises(ReproError, match=said):
+        list(compare("paper", rows, TABLE, CLAIMS, 3.0, "file"))
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"kind": "number"}, "line 2 .T1.: kind 'number' is not one of value, claim"),
+        ({"expect": "holds"}, "expect 'holds' is not one of match, differs"),
+        ({"expect": "differs"}, "expect 'differs' needs a reason"),
+        ({"digits": "two"}, "digits must be a number"),
+    ],
+)
+def test_faults_of_a_published_file(changes, said, tmp_path):
+    published(**changes).to_csv(tmp_path / "p.csv", index=False)
+    with pytest.raises(ReproError, match=said):
+        read_published(tmp_path / "p.csv")
+
+
+def test_verify_names_every_surprise(tmp_path):
+    rows = pd.concat([published(), published(item="T2", value="2.2")])
+    diff = pd.DataFrame(compare("paper", rows, TABLE, CLAIMS.iloc[:0], 3.0, "file"))
+    diff.to_csv(tmp_path / "diff.csv", index=False)
+    with pytest.raises(ReproError, match=r"paper, T1: differs, expected match$"):
+        verify(tmp_path / "diff.csv")
+    diff[1:].to_csv(tmp_path / "diff.csv", index=False)
+    verify(tmp_path / "diff.csv")

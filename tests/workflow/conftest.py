@@ -1,0 +1,82 @@
+"""A copy of the project with few points, in which Snakemake runs for real."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+
+from tests.conftest import ROOT
+
+KEPT = ["Snakefile", "workflow", "src", "params", "profiles", "figures"]
+# What the trimmed copies keep of each study: enough to run every kind of rule in seconds.
+POINTS = {"linear_delays": ["arrival=0.5", "arrival=0.9"]}
+
+
+class Project:
+    """A folder with the project in it."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+        for name in KEPT:
+            source = ROOT / name
+            if source.is_dir():
+                ignored = shutil.ignore_patterns("__pycache__", "*.png", "*.egg-info")
+                shutil.copytree(source, folder / name, ignore=ignored)
+            else:
+                shutil.copy(source, folder / name)
+
+    def snakemake(self, *arguments: str, fails: bool = False) -> str:
+        """Run Snakemake; returns all that it prints."""
+        command = [sys.executable, "-m", "snakemake", "-j2", *arguments]
+        environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
+        done = subprocess.run(
+            command, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=280
+        )
+        said = done.stdout + done.stderr
+        assert (done.returncode != 0) == fails, said
+        return said
+
+    def keep_only(self, study: str, points: list[str]) -> None:
+        """Leave one study with a few points in the parameters, and one paper."""
+        for file in (self.folder / "params").glob("*.yaml"):
+            if file.name == "run.yaml":
+                continue
+            content = yaml.safe_load(file.read_text())
+            if study not in content["studies"]:
+                file.unlink()
+                continue
+            families = content["studies"][study]["points"]
+            content["studies"][study]["points"] = [_fixed(point, families) for point in points]
+            file.write_text(yaml.safe_dump(content, sort_keys=False))
+
+    def bytes_of(self, *patterns: str) -> dict[str, bytes]:
+        """Content of the files that match, by path."""
+        return {
+            str(path.relative_to(self.folder)): path.read_bytes()
+            for pattern in patterns
+            for path in sorted(self.folder.glob(pattern))
+        }
+
+
+def _fixed(point: str, families: list[dict]) -> dict:
+    """A family of the one point `arrival=p` out of the swept family of that name."""
+    (family,) = (f for f in families if f["name"] == "arrival={arrival_probability}")
+    value = float(point.removeprefix("arrival="))
+    return family | {"sweep": {"arrival_probability": [value]}}
+
+
+@pytest.fixture
+def project(tmp_path):
+    return Project(tmp_path)
+
+
+@pytest.fixture
+def trimmed(project):
+    """The copy with two points of the linear study."""
+    for study, points in POINTS.items():
+        project.keep_only(study, points)
+    return project

@@ -1,0 +1,44 @@
+"""code() names exactly the modules that a job imports, so that an edit reruns what it must."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from repro.sources import code_files, constants
+from tests.conftest import ROOT, registered
+
+HEAVY = ("pandas", "matplotlib", "scipy.stats")
+
+
+@pytest.mark.parametrize(("name", "study", "point"), registered())
+def test_code_agrees_with_what_a_fresh_process_imports(name, study, point):
+    script = f"""
+import sys
+import repro.job
+from repro.run import filter_module, study_module
+filter_module("{name}"), study_module("{study}")
+mine = [module for name, module in sys.modules.items() if name.split(".")[0] == "repro"]
+print("\\n".join(sorted(module.__file__ for module in mine)))
+print([name for name in {HEAVY} if name in sys.modules])
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={"PYTHONPATH": str(ROOT / "src")},
+    )
+    *imported, heavy = done.stdout.split("\n")[:-1]
+    wanted = code_files("repro.job", "repro.run", f"repro.filters.{name}", f"repro.studies.{study}")
+    assert [str(Path(file).relative_to(ROOT)) for file in imported] == wanted
+    assert heavy == "[]"
+
+
+def test_figures_say_what_they_read():
+    scripts = sorted((ROOT / "figures").glob("*/*.py"))
+    assert scripts
+    for script in scripts:
+        found = constants(str(script))
+        assert found["NEEDS"] and found["CAPTION"], script

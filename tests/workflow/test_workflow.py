@@ -1,0 +1,124 @@
+"""The workflow as its user meets it."""
+
+import re
+import shutil
+
+import pytest
+
+from tests.conftest import ROOT
+
+TABLE = "results/tables/linear_delays.csv"
+RESULTS = ("smoke/results/*.csv", "smoke/results/*/*.csv", "smoke/results/**/*.mcap")
+
+
+def readme_example() -> list[str]:
+    """The filter and the rule of README.md, so that they are true."""
+    return re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+
+
+def jobs_of(said: str) -> dict[str, int]:
+    """Job counts of Snakemake's table of a dry run."""
+    lines = said.split("Job stats:")[1].split("\n\n")[0].splitlines()[3:]
+    return {name: int(count) for name, count in (line.split() for line in lines) if name != "total"}
+
+
+def test_lint_is_clean(project):
+    assert "in a good condition" in project.snakemake("--lint")
+
+
+def test_smoke_run_is_complete_repeatable_and_byte_identical(project):
+    smoke = ("--profile", "profiles/smoke")
+    assert "values:" in project.snakemake(*smoke)  # the tally
+    assert "Nothing to be done" in project.snakemake(*smoke)
+    first = project.bytes_of(*RESULTS, "smoke/figures/*/*.png", "smoke/results/manifest.json")
+    assert len(first) > 50
+    for result in ("diff.csv", "diff.md", "parameters.csv", "manifest.json", "tally.txt"):
+        assert (project.folder / "smoke" / "results" / result).stat().st_size > 0
+    project.snakemake(*smoke, "--forceall")
+    second = project.bytes_of(*RESULTS, "smoke/figures/*/*.png", "smoke/results/manifest.json")
+    assert [name for name in first if first[name] != second.get(name)] == []
+
+
+def test_tables_do_not_depend_on_shards(trimmed):
+    tables = []
+    for shards in (1, 2, 5):
+        into = f"shards{shards}"
+        trimmed.snakemake(
+            f"{into}/{TABLE}", "--config", "trials=5", f"shards={shards}", f"into={into}"
+        )
+        found = trimmed.bytes_of(f"{into}/results/tables/*.csv", f"{into}/results/curves/*.csv")
+        assert len(found) == 2
+        tables.append(list(found.values()))
+    assert tables[0] == tables[1] == tables[2]
+
+
+def test_a_filter_is_one_file_and_one_rule(trimmed):
+    """It appears in table and figure; only its own jobs and what depends on them run."""
+    figure = "figures/packet_delays/fig01.png"
+    trimmed.snakemake(TABLE, figure, "--config", "trials=4")
+    before = (trimmed.folder / figure).read_bytes()
+    mine, rule = readme_example()
+    (trimmed.folder / "src/repro/filters/mine.py").write_text(mine)
+    with (trimmed.folder / "workflow/rules/filters.smk").open("a") as rules:
+        rules.write(f"\n\n{rule}")
+    planned = jobs_of(trimmed.snakemake("-n", TABLE, figure, "--config", "trials=4"))
+    assert planned == {"mine": 2, "table": 1, "figure": 1}
+    trimmed.snakemake(TABLE, figure, "--config", "trials=4")
+    assert ",mine,rmse,x1," in (trimmed.folder / TABLE).read_text()
+    assert (trimmed.folder / figure).read_bytes() != before
+
+
+def test_an_edit_reruns_what_depends_on_it(trimmed):
+    trimmed.snakemake(TABLE, "--config", "trials=4")
+    with (trimmed.folder / "src/repro/filters/nahi.py").open("a") as source:
+        source.write("# edited\n")
+    planned = jobs_of(trimmed.snakemake("-n", TABLE, "--config", "trials=4"))
+    assert planned == {"nahi": 2, "table": 1}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('steps: {value: 300, source: "', "steps: {value: 300, sauce: '", "not YAML"),
+        ("[0.1, 0.2, 0.3,", "[0.1, 0.2, 1.3,", "arrival_probability: 1.3 is too large"),
+        ("trials: {value: 400", "trials: {value: 0", "trials: 0 is too small"),
+    ],
+)
+def test_bad_parameters_end_in_one_line_before_any_job(project, old, new, said):
+    file = project.folder / "params" / "packet_delays.yaml"
+    text = file.read_text()
+    assert old in text
+    file.write_text(text.replace(old, new, 1))
+    output = project.snakemake(fails=True)
+    (line,) = (line for line in output.splitlines() if line.startswith("error: "))
+    assert "params/packet_delays.yaml" in line and said in line
+    assert "Traceback" not in output and not (project.folder / "results").exists()
+
+
+def test_a_changed_log_ends_its_job_in_one_line(trimmed):
+    log = "results/logs/linear_delays/arrival=0.5/0.mcap"
+    trimmed.snakemake(log, "--config", "trials=4")
+    path = trimmed.folder / log
+    data = bytearray(path.read_bytes())
+    data[len(data) // 2] ^= 1
+    path.write_bytes(data)
+    target = "results/runs/linear_delays/arrival=0.5/omvf/0.npz"
+    output = trimmed.snakemake(target, "--config", "trials=4", fails=True)
+    lines = [line for line in output.splitlines() if line.strip().startswith("error: ")]
+    assert len(lines) == 1 and log in lines[0] and "/received" in lines[0]
+    assert not (trimmed.folder / target).exists()
+
+
+def test_a_log_of_another_point_ends_its_job_in_one_line(trimmed):
+    logs = [f"results/logs/linear_delays/arrival={p}/0.mcap" for p in (0.5, 0.9)]
+    trimmed.snakemake(*logs, "--config", "trials=4")
+    shutil.copy(*(trimmed.folder / log for log in logs))
+    target = "results/runs/linear_delays/arrival=0.9/omvf/0.npz"
+    output = trimmed.snakemake(target, "--config", "trials=4", fails=True)
+    assert "the log is of point 'arrival=0.5', wanted is 'arrival=0.9'" in output
+
+
+def test_constraints_pin_every_package_by_plain_name():
+    lines = (ROOT / "constraints.txt").read_text().split("\n")
+    pins = [line for line in lines if line and not line.startswith("#")]
+    assert pins and all(line.count("==") == 1 and "@" not in line for line in pins)
