@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from repro.filters import _ross_eh, pf_ross_eh, pf_ross_eh_joint
+from repro.filters import _ross_eh
 from repro.models import ungm
 from repro.models.sensor_network import ExponentialNoise, GaussianNoise, SensorNetwork
 from repro.network import energy_harvesting
@@ -324,7 +324,3 @@ def test_joint_filter_is_the_exact_filter():
     assert 2.6 < np.median(np.abs(fewer)) / np.median(np.abs(joint)) < 6.0
     # the error of (13) and Lemma 1 is real: it exceeds the Monte Carlo error by far
     assert np.abs(approximate).mean() > 4 * np.abs(joint).mean()
-
-
-def test_the_variants_see_what_they_declare():
-    assert pf_ross_eh.SEES == pf_ross_eh_joint.SEES == ("received",)
