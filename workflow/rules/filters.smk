@@ -225,13 +225,7 @@ rule pf_ross:
         runs(
             "pf_ross",
             studies=["ungm", "rss_2d", "rss_3d"],
-            points=[
-                "base",
-                "reading-layout=*",
-                "reading-steps=*",
-                "reading-resampling=*",
-                "reading-weights=*",
-            ],
+            points=["base", "reading-layout=*", "reading-weights=*"],
         ),
     log:
         logfile("pf_ross"),
@@ -254,13 +248,7 @@ rule pf_eh:
         runs(
             "pf_eh",
             studies=["ungm", "rss_2d", "rss_3d"],
-            points=[
-                "base",
-                "reading-layout=*",
-                "reading-steps=*",
-                "reading-resampling=*",
-                "reading-weights=*",
-            ],
+            points=["base", "reading-layout=*", "reading-weights=*"],
         ),
     log:
         logfile("pf_eh"),
@@ -283,13 +271,7 @@ rule spf:
         runs(
             "spf",
             studies=["ungm", "rss_2d", "rss_3d"],
-            points=[
-                "base",
-                "reading-layout=*",
-                "reading-steps=*",
-                "reading-resampling=*",
-                "reading-weights=*",
-            ],
+            points=["base", "reading-layout=*", "reading-weights=*"],
         ),
     log:
         logfile("spf"),
@@ -312,13 +294,7 @@ rule spf_im:
         runs(
             "spf_im",
             studies=["ungm", "rss_2d", "rss_3d"],
-            points=[
-                "base",
-                "reading-layout=*",
-                "reading-steps=*",
-                "reading-resampling=*",
-                "reading-weights=*",
-            ],
+            points=["base", "reading-layout=*", "reading-weights=*"],
         ),
     log:
         logfile("spf_im"),
