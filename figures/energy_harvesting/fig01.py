@@ -31,7 +31,7 @@ def arrow(axes, start, end, text="", above=0.12):
 
 def draw(results):
     drawn, axes = style.figure(size=(9.4, 4.0))
-    axes.set(xlim=(-0.1, 13.6), ylim=(-0.4, 4.6))
+    axes.set(xlim=(-0.15, 13.6), ylim=(-0.1, 4.85))
     axes.axis("off")
     box(axes, 0.95, 2.1, "plant\n$x_{k+1}=f_k(x_k)+\\omega_k$", "#DCE9F5", width=2.0, height=0.9)
     for y, i in ((3.4, "1"), (0.6, "N")):
@@ -43,9 +43,9 @@ def draw(results):
         arrow(axes, (2.05, 2.1), (3.0, y))
         arrow(axes, (4.8, y), (5.5, y))
         arrow(axes, (7.3, y), (8.2, y), f"$+\\nu^{i}_k$\n$y^{i}_k$", above=0.03)
-        arrow(
-            axes, (10.0, y), (11.55, 2.1 + (y - 2.1) * 0.25), f"$+n^{i}_k$   $z^{i}_k$", above=0.1
-        )
+        axes.plot((10.0, 10.3), (y, y), color="black", lw=1)
+        axes.text(10.4, y, f"$+n^{i}_k$, $z^{i}_k$", ha="left", va="center", fontsize=8.5)
+        arrow(axes, (11.45, y), (12.2, 2.1 + (y - 2.1) * 0.38))
     axes.text(6.4, 2.0, "$\\vdots$", fontsize=16, ha="center", va="center")
     box(axes, 12.45, 2.1, "remote filter\n$\\hat{x}_k$ from $z_{1:k}$", "#DCE9F5", height=0.9)
     return drawn

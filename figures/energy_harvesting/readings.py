@@ -41,9 +41,9 @@ def draw(results):
         axes.set(
             yticks=np.arange(len(points)),
             yticklabels=[point.removeprefix("reading-") for point in points],
-            xscale="log",
+            xscale="log" if study == "rss_2d" else "linear",
             xlabel=f"{component} RMSE{unit}, {study}",
         )
         axes.invert_yaxis()
-        axes.legend(fontsize=7)
+        axes.legend(fontsize=7, ncols=3, loc="upper center", bbox_to_anchor=(0.4, 1.13))
     return drawn

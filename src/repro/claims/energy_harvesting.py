@@ -19,6 +19,7 @@ from repro.studies import _energy_harvesting, study_module
 CLAIMS: list[Claim] = []
 OTHERS = ("pf_ross", "pf_eh", "spf")  # what PF-ROSS-EH is compared with on the same data
 FIVE = ("pf_ross_eh", *OTHERS, "spf_im")
+FEW = 10  # runs, too few for a comparison
 SHOWN = 3  # Figs. 4 and 5 show sensor 4
 
 
@@ -54,12 +55,14 @@ def better(results, study, first, second, component, what) -> list[Part]:
         combination(f"{what}, all runs", (1, -1), errors),
         most(f"{what}, run by run", errors[0].mean(axis=1) < errors[1].mean(axis=1)),
     ]
-    if study != "ungm":
-        kept = ~lost(results, study, first, second)
-        parts.append(
-            combination(f"{what}, runs not lost", (1, -1), [error[kept] for error in errors])
-        )
-    return parts
+    kept = ~lost(results, study, first, second)
+    if study == "ungm":
+        return parts
+    if kept.sum() < FEW:  # of those not lost nothing can be said: who loses them, then?
+        losses = (lost(results, study, at).astype(float) for at in (first, second))
+        return [*parts, smaller(f"{what}, share of runs lost", *losses)]
+    what = f"{what}, runs not lost"
+    return [*parts, combination(what, (1, -1), [error[kept] for error in errors])]
 
 
 def best_of(results, study: str, first: str, others, components) -> list[Part]:

@@ -44,7 +44,8 @@ def over_points(labels: dict[str, str]) -> list[Curve]:
 def rmse_over_k(axes: Axes, results: Results, study: str, component: str, curves: list) -> None:
     """RMSE(k) with its Monte Carlo band, the median error of a run, and open-loop prediction."""
     table = results.curves(study)
-    table = table[table["component"] == component]
+    table = table[(table["component"] == component) & (table["k"] > 0)]
+    lowest = table.loc[table["point"].isin([curve.point for curve in curves]), "median"].min()
     for curve in curves:
         rows = table[(table["point"] == curve.point) & (table["filter"] == curve.filter)]
         look = {key: value for key, value in curve.look.items() if key == "color"}
@@ -62,7 +63,10 @@ def rmse_over_k(axes: Axes, results: Results, study: str, component: str, curves
     k = np.arange(1, parameters["steps"] + 1)
     axes.plot(k, prediction(study, parameters, component, k), color="0.55", lw=1.2, label="no data")
     axes.set(
-        xlabel="k (steps of 1 s)", ylabel=f"{component} RMSE in {UNITS[component]}", yscale="log"
+        xlabel="k (steps of 1 s)",
+        ylabel=f"{component} RMSE in {UNITS[component]}",
+        yscale="log",
+        ylim=(0.7 * lowest, None),
     )
 
 
