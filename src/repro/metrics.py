@@ -43,23 +43,29 @@ def root_mean(per_trial: np.ndarray) -> Statistic:
     return Statistic(value, jackknife_error(left_out), *_quantiles(np.sqrt(per_trial)))
 
 
-def mean_of_roots(per_trial: np.ndarray) -> Statistic:
-    """Mean over the steps (axis 1) of roots of means over the trials (axis 0), with its jackknife.
+def of_mean(per_trial: np.ndarray, function) -> Statistic:
+    """function(mean over the trials) with its jackknife standard error.
 
-    Its quantiles are those of the single trials' mean error.
+    function keeps the leading axis and may reduce others: the root over runs, then a mean over k.
     """
-    left_out = leave_one_out(per_trial, np.sqrt).mean(axis=1)
-    value = np.sqrt(per_trial.mean(axis=0)).mean()
-    return Statistic(value, jackknife_error(left_out), *_quantiles(np.sqrt(per_trial).mean(axis=1)))
+    if len(per_trial) > 1:
+        mcse = jackknife_error(function(_rest(per_trial)))
+    else:
+        mcse = np.full_like(function(per_trial)[0], np.nan)
+    value = function(per_trial.mean(axis=0, keepdims=True))[0]
+    return Statistic(value, mcse, *_quantiles(function(per_trial)))
 
 
 def leave_one_out(per_trial: np.ndarray, function) -> np.ndarray:
     """function(mean over all trials but one), one row for each trial left out."""
-    trials = len(per_trial)
-    if trials < 2:
+    if len(per_trial) < 2:
         return np.full(per_trial.shape, np.nan)
-    rest = (per_trial.sum(axis=0) - per_trial) / (trials - 1)
-    return function(np.maximum(rest, 0.0))
+    return function(_rest(per_trial))
+
+
+def _rest(per_trial: np.ndarray) -> np.ndarray:
+    """Mean over all trials but one, of quantities that are not negative."""
+    return np.maximum((per_trial.sum(axis=0) - per_trial) / (len(per_trial) - 1), 0.0)
 
 
 def jackknife_error(left_out: np.ndarray) -> np.ndarray:

@@ -12,6 +12,8 @@ SEARCHED = os.pathsep.join(filter(None, [str(SOURCE), os.environ.get("PYTHONPATH
 os.environ.update(PYTHONPATH=SEARCHED)
 # Jobs share the cores; threads inside a job would compete and change the rounding of sums.
 os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", MKL_NUM_THREADS="1")
+# glibc gives freed memory back at once by default; arrays of every step would cost page faults.
+os.environ.update(MALLOC_TRIM_THRESHOLD_="268435456", MALLOC_MMAP_THRESHOLD_="268435456")
 
 from repro.errors import ReproError
 from repro.params import load_paper, load_run
@@ -36,8 +38,16 @@ LOG = f"{RESULTS}/logs/{{study}}/{{point}}/{{shard}}.mcap"
 ENVIRONMENT = "../envs/repro.yaml"
 RUN_FILTER = "../scripts/run_filter.py"
 
+# Points of this name take minutes: they run only for the sensitivity table that asks for them.
+ON_REQUEST = "sensitivity-"
 # Which filters run on which points: filled by runs(), in the order of the rules.
-CATALOGUE = {study: {point: [] for point in points} for study, points in STUDIES.items()}
+CATALOGUE, REQUESTED = (
+    {
+        study: {point: [] for point in points if point.startswith(ON_REQUEST) == requested}
+        for study, points in STUDIES.items()
+    }
+    for requested in (False, True)
+)
 
 
 wildcard_constraints:
@@ -57,7 +67,7 @@ def runs(name, studies, points="*"):
                 f"known are {', '.join(CATALOGUE)}"
             )
         patterns = [points] if isinstance(points, str) else points
-        for point, filters in CATALOGUE[study].items():
+        for point, filters in {**CATALOGUE[study], **REQUESTED[study]}.items():
             if any(fnmatch.fnmatchcase(point, pattern) for pattern in patterns):
                 filters.append(name)
     return f"{RESULTS}/runs/{{study,{'|'.join(studies)}}}/{{point}}/{name}/{{shard}}.npz"
@@ -120,6 +130,17 @@ def run_files(study, points=None):
     ]
 
 
+def sensitivity_runs(study):
+    """Runs of the base point and of the points on request."""
+    points = {"base": CATALOGUE[study]["base"], **REQUESTED[study]}
+    return [
+        f"{RESULTS}/runs/{study}/{point}/{name}/{shard}.npz"
+        for point, filters in points.items()
+        for name in filters
+        for shard in SHARDS
+    ]
+
+
 def log_files(study, points=None):
     """Logs of the given (or all) points of a study that a filter runs on."""
     return [
@@ -137,8 +158,12 @@ def table_files(paper):
 
 
 def figure_scripts(paper):
-    """Figure scripts of a paper by name."""
-    return {path.stem: str(path) for path in sorted(Path("figures", paper).glob("*.py"))}
+    """Figure scripts of a paper by name, without those that are drawn on request."""
+    return {
+        path.stem: str(path)
+        for path in sorted(Path("figures", paper).glob("*.py"))
+        if not constants(str(path))["NEEDS"].get("on_request")
+    }
 
 
 def figure_inputs(wildcards):

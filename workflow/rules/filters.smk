@@ -198,6 +198,101 @@ rule emvf_realised:
         RUN_FILTER
 
 
+rule mapf:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.mapf"),
+    output:
+        runs("mapf", studies=["deadband", "saturation"]),
+    log:
+        logfile("mapf"),
+    benchmark:
+        timing("mapf")
+    conda:
+        ENVIRONMENT
+    params:
+        name="mapf",
+        settings=settings("mapf"),
+    script:
+        RUN_FILTER
+
+
+rule mapf_nc:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.mapf_nc"),
+    output:
+        runs("mapf_nc", studies=["deadband", "saturation"]),
+    log:
+        logfile("mapf_nc"),
+    benchmark:
+        timing("mapf_nc")
+    conda:
+        ENVIRONMENT
+    params:
+        name="mapf_nc",
+        settings=settings("mapf_nc"),
+    script:
+        RUN_FILTER
+
+
+rule mapf_nmc:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.mapf_nmc"),
+    output:
+        runs("mapf_nmc", studies=["deadband", "saturation"]),
+    log:
+        logfile("mapf_nmc"),
+    benchmark:
+        timing("mapf_nmc")
+    conda:
+        ENVIRONMENT
+    params:
+        name="mapf_nmc",
+        settings=settings("mapf_nmc"),
+    script:
+        RUN_FILTER
+
+
+rule mpf:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.mpf"),
+    output:
+        runs("mpf", studies=["deadband", "saturation"]),
+    log:
+        logfile("mpf"),
+    benchmark:
+        timing("mpf")
+    conda:
+        ENVIRONMENT
+    params:
+        name="mpf",
+        settings=settings("mpf"),
+    script:
+        RUN_FILTER
+
+
+rule dead_reckoning:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.dead_reckoning"),
+    output:
+        runs("dead_reckoning", studies=["deadband", "saturation"]),
+    log:
+        logfile("dead_reckoning"),
+    benchmark:
+        timing("dead_reckoning")
+    conda:
+        ENVIRONMENT
+    params:
+        name="dead_reckoning",
+        settings=settings("dead_reckoning"),
+    script:
+        RUN_FILTER
+
+
 rule pf_ross_eh:
     input:
         log=LOG,

@@ -42,6 +42,32 @@ rule packet_example:
         "../scripts/packet_example.py"
 
 
+rule sensitivity:
+    input:
+        runs=lambda wildcards: sensitivity_runs(wildcards.study),
+        code=code("repro.sensitivity"),
+    output:
+        f"{RESULTS}/tables/{{study}}_sensitivity.csv",
+    log:
+        logfile("sensitivity", "study"),
+    benchmark:
+        timing("sensitivity", "study")
+    wildcard_constraints:
+        study="deadband|saturation",
+    conda:
+        ENVIRONMENT
+    params:
+        results=RESULTS,
+        catalogue=lambda wildcards: {
+            wildcards.study: {**CATALOGUE[wildcards.study], **REQUESTED[wildcards.study]}
+        },
+        shards=len(SHARDS),
+        prefix=ON_REQUEST,
+        tolerance=RUN["tolerance"],
+    script:
+        "../scripts/sensitivity.py"
+
+
 rule claims:
     input:
         runs=lambda wildcards: [

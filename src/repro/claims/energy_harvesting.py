@@ -39,8 +39,9 @@ def combination(what: str, weights: tuple[float, ...], errors: list[np.ndarray])
     """The weighted sum of mean RMSEs is negative; jackknife over the trials that they share."""
     if len(errors[0]) < 2:
         return Part(f"{what}: {len(errors[0])} runs", np.nan, np.nan)
-    rmse = [np.sqrt(error.mean(axis=0)).mean() for error in errors]
-    left_out = [metrics.leave_one_out(error, np.sqrt).mean(axis=1) for error in errors]
+    mean_of_roots = _energy_harvesting.mean_of_roots
+    rmse = [mean_of_roots(error.mean(axis=0)) for error in errors]
+    left_out = [metrics.leave_one_out(error, mean_of_roots) for error in errors]
     return Part(
         f"{what} ({', '.join(f'{value:.3g}' for value in rmse)}; {len(errors[0])} runs)",
         float(np.dot(weights, rmse)),

@@ -75,13 +75,18 @@ def squared(runs, axes) -> np.ndarray:
     return (runs.error[:, :, list(axes)] ** 2).sum(axis=-1)
 
 
+def mean_of_roots(mean_squared: np.ndarray) -> np.ndarray:
+    """Mean over k of RMSE(k), from mean squared errors (..., K)."""
+    return np.sqrt(mean_squared).mean(axis=-1)
+
+
 def rmse_rows(runs, components: dict, lost: np.ndarray | None):
     """Mean over k = 1 ... K of RMSE(k), of all runs and of those that are not lost."""
     for name, axes in components.items():
         of_run = squared(runs, axes)[:, 1:]
-        yield "rmse", name, metrics.mean_of_roots(of_run)
+        yield "rmse", name, metrics.of_mean(of_run, mean_of_roots)
         if lost is not None and not lost.all():
-            yield "rmse_not_lost", name, metrics.mean_of_roots(of_run[~lost])
+            yield "rmse_not_lost", name, metrics.of_mean(of_run[~lost], mean_of_roots)
 
 
 def rmse_curves(runs, components: dict):

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from repro.filters._particles import standard_normal
 from repro.models import rss
 from repro.models.sensor_network import GaussianNoise, SensorNetwork
 from repro.studies import _energy_harvesting
@@ -62,7 +63,7 @@ def model(parameters: dict, draw_prior) -> SensorNetwork:
     initial = np.array(parameters["true_initial_state"], dtype=float)
 
     def move(x, k, streams):
-        return rss.move(x, streams.standard_normal(*x.shape[1:]), time, root)
+        return rss.move(x, standard_normal(streams, *x.shape[1:]), time, root)
 
     return SensorNetwork(
         initial_mean=initial,

@@ -1,0 +1,27 @@
+"""Dead-band censoring (Song et al., (4); Table I, Figures 2-8)."""
+
+from repro.studies._censored_network import (
+    TRIALS_A_BLOCK,
+    channels,
+    curves,
+    error,
+    lost,
+    model,
+    period,
+    rows,
+    simulate,
+    topics,
+)
+
+__all__ = [
+    "TRIALS_A_BLOCK",
+    "channels",
+    "curves",
+    "error",
+    "lost",
+    "model",
+    "period",
+    "rows",
+    "simulate",
+    "topics",
+]

@@ -1,0 +1,27 @@
+"""Saturation censoring (Song et al., (5); Table II, Figures 9-15)."""
+
+from repro.studies._censored_network import (
+    TRIALS_A_BLOCK,
+    channels,
+    curves,
+    error,
+    lost,
+    model,
+    period,
+    rows,
+    simulate,
+    topics,
+)
+
+__all__ = [
+    "TRIALS_A_BLOCK",
+    "channels",
+    "curves",
+    "error",
+    "lost",
+    "model",
+    "period",
+    "rows",
+    "simulate",
+    "topics",
+]
