@@ -3,6 +3,7 @@
 Particles are (trials, n, particles), so that each component is contiguous.
 """
 
+import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -65,22 +66,17 @@ class GaussianNoise(NamedTuple):
         Sat(h) = h and the two terms of (20) are one.
         """
         variance = self.measurement_variances[i] + self.channel_variance
-        with np.errstate(divide="ignore"):  # log 0 = -inf is meant
-            shared = np.log(transmission) + _log_peak(variance)
-            lost = np.log1p(-transmission) + self.log_channel(z) - shared
+        shared = _log(transmission) + _log_peak(variance)
+        lost = _log(1.0 - transmission) - shared + self.log_channel(z)
         sent, other = _squares(z[:, None] - level, variance), lost[:, None]
         if saturation is not None:
-            with np.errstate(divide="ignore"):
-                log_clear, log_clipped = (
-                    np.log1p(-saturation.probability),
-                    np.log(saturation.probability),
-                )
+            clear, clipped = _log(1.0 - saturation.probability), _log(saturation.probability)
             for limit in (-saturation.level, saturation.level):
                 beyond = level < limit if limit < 0 else level > limit
                 if beyond.any():  # else nothing would change
-                    clipped = log_clipped + _squares(z - limit, variance)
-                    other = np.where(beyond, np.logaddexp(lost, clipped)[:, None], other)
-                    sent += np.where(beyond, log_clear, 0.0)
+                    at_limit = clipped + _squares(z - limit, variance)
+                    other = np.where(beyond, np.logaddexp(lost, at_limit)[:, None], other)
+                    sent += np.where(beyond, clear, 0.0)
         if saturation is not None or transmission < 1.0:
             sent = _log_add(sent, other)
         sent += shared
@@ -150,7 +146,11 @@ def _squares(error: np.ndarray, variance: float) -> np.ndarray:
 
 
 def _log_peak(variance: float) -> float:
-    return -0.5 * np.log(2 * np.pi * variance)
+    return -0.5 * math.log(2 * math.pi * variance)
+
+
+def _log(probability: float) -> float:
+    return math.log(probability) if probability > 0 else -math.inf
 
 
 def _log_add(first: np.ndarray, second: np.ndarray) -> np.ndarray:

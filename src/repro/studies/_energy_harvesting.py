@@ -8,7 +8,7 @@ from repro.network import energy_harvesting, saturation
 from repro.network.energy_harvesting import EnergyQueue
 from repro.network.saturation import Saturation
 
-TRIALS_A_BLOCK = 25
+TRIALS_A_BLOCK = 40
 
 
 def topics(state: tuple[str, ...], sensors: int) -> dict[str, tuple[str, ...]]:

@@ -11,7 +11,7 @@ __all__ = ["channels", "error", "lost", "simulate"]
 
 STATE = _signal_strength.state(3)
 COMPONENTS = _signal_strength.components(3)
-TRIALS_A_BLOCK = 12
+TRIALS_A_BLOCK = 20
 
 
 def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
