@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from repro.network.saturation import Saturation, saturated
+from repro.network.saturation import Saturation
 from repro.streams import Streams
 
 # exp(-700) adds nothing to one; below it exp is ten times slower, for its result underflows.
@@ -122,20 +122,24 @@ class ExponentialNoise(NamedTuple):
     ) -> np.ndarray:
         """log p(z^i | x) of (15), (trials, particles), from z (trials,) and levels h^i(x).
 
-        Without saturation gbar = 0. The densities are no smaller than exp(-z / mean) where they
-        are positive, so that their sum needs no logarithms; its own is -inf where x cannot have
-        led to z.
+        Without saturation gbar = 0; beyond its level Sat(h) is one number for all particles. The
+        densities are no smaller than exp(-z / mean) where they are positive, so that their sum
+        needs no logarithms; its own is -inf where x cannot have led to z.
         """
         z = z[:, None]
-        clipped = 0.0 if saturation is None else saturation.probability
-        density = self._sum(z - level, transmission * (1.0 - clipped))
+        sent = self._sum(z - level, transmission)
         if saturation is not None:
-            error = z - saturated(level, saturation.level)
-            density += self._sum(error, transmission * clipped)
+            for limit in (-saturation.level, saturation.level):
+                beyond = level < limit if limit < 0 else level > limit
+                if beyond.any():  # else nothing would change
+                    at_limit = self._sum(z - limit, transmission * saturation.probability)
+                    mixed = sent * (1.0 - saturation.probability)
+                    mixed += at_limit
+                    sent = np.where(beyond, mixed, sent)
         if transmission < 1.0:
-            density += (1.0 - transmission) * np.exp(self.log_channel(z))
+            sent += (1.0 - transmission) * np.exp(self.log_channel(z))
         with np.errstate(divide="ignore"):  # log 0 = -inf is meant
-            return np.log(density, out=density)
+            return np.log(sent, out=sent)
 
 
 def _squares(error: np.ndarray, variance: float) -> np.ndarray:
