@@ -14,12 +14,16 @@ ROWS = (
     (r"$\Delta$", "variance of the acceleration, m$^2$/s$^4$", "acceleration_variance"),
     (r"$N$", "number of sensors", "sensors"),
     (r"$\kappa_{\max}$", "level of saturation, dBm", "saturation_level"),
-    (r"$P_0, d_0$", "level in dBm at the reference distance in m", "reference_power, _distance"),
+    (
+        r"$P_0, d_0$",
+        "level (dBm) at a distance (m)",
+        "reference_power, reference_distance",
+    ),
     (r"$n_r$", "path loss exponent", "path_loss_exponent"),
     (
         r"$\sigma_{\nu,i}^2, \sigma_{n,i}^2$",
         "noise of sensor, of channel, dBm$^2$",
-        "*_variance(s)",
+        "measurement_variances, channel_variance",
     ),
     (r"$\bar{\gamma}^i$", "probability of saturation", "saturation_probability"),
     (r"$E_0^i, \bar{E}^i$", "energy at k = 0, largest energy", "initial_energy, energy_capacity"),
@@ -29,4 +33,4 @@ ROWS = (
 
 
 def draw(results):
-    return style.table(ROWS, ("symbol", "meaning", "here"), widths=(0.2, 0.45, 0.35))
+    return style.table(ROWS, ("symbol", "meaning", "here"), widths=(0.16, 0.4, 0.44))

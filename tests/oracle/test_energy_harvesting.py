@@ -177,6 +177,20 @@ def test_saturated_and_lost_measurements_are_what_the_log_says():
     np.testing.assert_allclose(ideal[gamma == 0], (y + n)[gamma == 0], atol=1e-9)
 
 
+def test_linear_weights_underflow_and_skip_updates():
+    """A lost packet is e^-3000 away from any level: zero for all particles without logarithms."""
+    log = log_of("rss_2d", 6, steps=40)
+    settings = BOOTSTRAP | {"particles": 200}
+    linear = run(log, "spf", settings | {"weights": "linear"})[1].degenerate
+    missed = (log.values["/network"].reshape(6, -1, 4, 4)[:, 1:, :, 3] == 0).any(axis=2).sum(axis=1)
+    assert np.all(linear >= missed) and missed.min() > 0
+    assert not run(log, "spf", settings)[1].degenerate.any()
+    # where nothing underflows the two agree
+    log = log_of("ungm", 6, steps=20)
+    both = (run(log, "pf_ross_eh", settings | {"weights": w})[0] for w in ("linear", "logarithmic"))
+    np.testing.assert_allclose(*both, rtol=1e-9)
+
+
 def test_transmission_probability_cancels_where_losses_are_seen():
     """RSS: a lost packet lies near 0 dBm, far from any level, so that any lambda will do (D4)."""
     log = log_of("rss_2d", 10, steps=40)

@@ -412,7 +412,7 @@ rule pf_ross_eh_exact:
         runs(
             "pf_ross_eh_exact",
             studies=["ungm"],
-            points=["base", "reading-harvest=*", "reading-initial_harvest=*"],
+            points=["base", "reading-harvest=*"],
         ),
     log:
         logfile("pf_ross_eh_exact"),
@@ -435,7 +435,7 @@ rule pf_ross_eh_joint:
         runs(
             "pf_ross_eh_joint",
             studies=["ungm"],
-            points=["base", "reading-harvest=*", "reading-initial_harvest=*"],
+            points=["base", "reading-harvest=*"],
         ),
     log:
         logfile("pf_ross_eh_joint"),
