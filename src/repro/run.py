@@ -56,7 +56,9 @@ def _run_block(log: Log, name: str, settings: dict, trials: slice):
     channels = study.channels(log, trials, log.parameters)
     numbers = log.trials[trials].tolist()
     steps = log.values["/truth"].shape[1]
-    state = filter_.init(Streams(log.seed, log.study, f"filter:{name}", numbers))
+    # Filters that name the same stream are compared on the same random numbers.
+    role = f"filter:{getattr(module, 'STREAM', name)}"
+    state = filter_.init(Streams(log.seed, log.study, role, numbers))
     estimate = np.empty((len(numbers), steps, len(model.initial_mean)))
     estimate[:, 0] = _checked(filter_.mean(state), name, 0, estimate[:, 0].shape, numbers)
     claimed = [filter_.variance(state)] if filter_.variance else None
