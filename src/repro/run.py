@@ -12,7 +12,8 @@ from repro.logs import Log, read_log
 from repro.streams import Streams
 from repro.studies import Runs, study_module
 
-TRIALS_A_BLOCK = 250  # small enough for a block's covariances to stay in the cache
+# Small enough for a block's covariances to stay in the cache; a study of clouds sets its own.
+TRIALS_A_BLOCK = 250
 
 
 def filter_module(name: str) -> ModuleType:
@@ -31,9 +32,10 @@ def filter_module(name: str) -> ModuleType:
 
 def run(log: Log, name: str, settings: dict) -> tuple[np.ndarray, Runs]:
     """Estimates (trials, steps, n) and runs of a filter on every trial of a log."""
+    block = getattr(study_module(log.study), "TRIALS_A_BLOCK", TRIALS_A_BLOCK)
     blocks = [
-        _run_block(log, name, settings, slice(first, first + TRIALS_A_BLOCK))
-        for first in range(0, len(log.trials), TRIALS_A_BLOCK)
+        _run_block(log, name, settings, slice(first, first + block))
+        for first in range(0, len(log.trials), block)
     ]
     estimates, claimed, degenerate, recorded = zip(*blocks, strict=True)
     estimate = np.concatenate(estimates)
@@ -58,6 +60,7 @@ def _run_block(log: Log, name: str, settings: dict, trials: slice):
     estimate = np.empty((len(numbers), steps, len(model.initial_mean)))
     estimate[:, 0] = _checked(filter_.mean(state), name, 0, estimate[:, 0].shape, numbers)
     claimed = [filter_.variance(state)] if filter_.variance else None
+    diagnosed = [filter_.diagnostics(state)] if filter_.diagnostics else None
     for k in range(1, steps):
         predicted = (filter_.predicted or _no_prediction(filter_))(state, k)
         seen = Seen(name, module.SEES, channels.at(k, predicted))
@@ -65,10 +68,15 @@ def _run_block(log: Log, name: str, settings: dict, trials: slice):
         estimate[:, k] = _checked(filter_.mean(state), name, k, estimate[:, k].shape, numbers)
         if claimed is not None:
             claimed.append(filter_.variance(state))
+        if diagnosed is not None:
+            diagnosed.append(filter_.diagnostics(state))
+    recorded = channels.record()
+    for key in diagnosed[0] if diagnosed else ():
+        recorded[key] = np.stack([of_step[key] for of_step in diagnosed], axis=1)
     if claimed is not None:
         claimed = np.stack(claimed, axis=-2)  # (steps, n) if the same for every trial
     guarded = filter_.degenerate(state) if filter_.degenerate else np.zeros(len(numbers))
-    return estimate, claimed, guarded, channels.record()
+    return estimate, claimed, guarded, recorded
 
 
 def _no_prediction(filter_):

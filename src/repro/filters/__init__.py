@@ -17,3 +17,4 @@ class Filter(NamedTuple):
     predicted: Callable | None = None  # (state, k) -> xh(k|k-1) before step k, for scheduling
     variance: Callable | None = None  # (state) -> claimed error variances, (n,) or (trials, n)
     degenerate: Callable | None = None  # (state) -> guarded updates so far, (trials,)
+    diagnostics: Callable | None = None  # (state) -> {name: (trials,)} of this step, for the tables

@@ -11,8 +11,11 @@ def normalised(log_weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """
     largest = log_weights.max(axis=-1, keepdims=True)
     degenerate = ~np.isfinite(largest)
-    weights = np.exp(log_weights - np.where(degenerate, 0.0, largest))
-    weights = np.where(degenerate, 1.0, weights)
+    if degenerate.any():
+        log_weights = np.where(degenerate, 0.0, log_weights)
+        largest = np.where(degenerate, 0.0, largest)
+    weights = log_weights - largest
+    np.exp(weights, out=weights)
     weights /= weights.sum(axis=-1, keepdims=True)
     return weights, degenerate[..., 0]
 
@@ -25,16 +28,19 @@ def effective_sample_size(weights: np.ndarray) -> np.ndarray:
 def systematic(weights: np.ndarray, uniform: np.ndarray) -> np.ndarray:
     """Parents (rows, particles) by systematic resampling; one uniform a row.
 
-    Up to particle i there are ceil(N c_i - u) children, c the cumulative weights: one pass.
+    Up to particle i there are ceil(N c_i - u) children, c the cumulative weights. So the parent
+    of child j is the number of particles with at most j children up to them: a count, then a sum.
     """
     rows, particles = weights.shape
-    cumulative = np.cumsum(weights, axis=1)
-    upto = np.ceil(particles * cumulative - uniform[:, None]).astype(np.intp)
+    upto = np.cumsum(weights, axis=1)
+    upto *= particles
+    upto -= uniform[:, None]
+    np.ceil(upto, out=upto)
     np.clip(upto, 0, particles, out=upto)
     upto[:, -1] = particles  # rounding must not lose the last child
-    children = np.diff(upto, axis=1, prepend=0)
-    parents = np.repeat(np.tile(np.arange(particles), rows), children.ravel())
-    return parents.reshape(rows, particles)
+    upto += (np.arange(rows) * (particles + 1))[:, None]
+    ends = np.bincount(upto.astype(np.intp).ravel(), minlength=rows * (particles + 1))
+    return np.cumsum(ends.reshape(rows, -1)[:, :-1], axis=1)
 
 
 def multinomial(weights: np.ndarray, uniforms: np.ndarray) -> np.ndarray:
