@@ -1,7 +1,7 @@
 """Extended Kalman filter that weighs each measurement by what it knows or infers of its loss."""
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -12,20 +12,38 @@ from repro.models import Model
 class State(NamedTuple):
     estimate: np.ndarray  # xh(k|k), (n, trials)
     covariance: np.ndarray  # Sigma(k|k), packed, (n (n + 1) / 2, trials)
+    last: Any  # what the filter keeps of gamma(k), (trials,); None before the first packet
 
 
-def build(model: Model, uses: Callable) -> Filter:
-    """`uses(seen)` gives 1 where the received value is taken for z(k) and 0 where it is left."""
+def build(model: Model, weigh: Callable, spread: bool = False) -> Filter:
+    """`weigh(seen, evidence, last)` gives the weight of y(k) in the update, and the next `last`.
+
+    1 takes y(k) for a measurement and 0 leaves it. evidence() is log N(e; 0, S) - log N(y; 0, R).
+    With `spread` the weight is a probability, and the spread of the two means is added.
+    """
     n, m = len(model.initial_mean), len(model.measurement_covariance)
+    of_noise = _kalman.noise_log_likelihood(model)
 
     def init(streams):
-        return State(*_kalman.start(model, (len(streams),)))
+        return State(*_kalman.start(model, len(streams)), last=None)
+
+    def predict(state, k):
+        if k == 0:  # the first measurement of a study that starts with an update
+            return state.estimate.copy(), state.covariance.copy()
+        return _kalman.predict(model, state.estimate, state.covariance, k - 1)  # (5)
 
     def step(state, k, seen):
-        estimate, covariance = _kalman.predict(model, *state, k - 1)
+        estimate, covariance = predict(state, k)
         received = seen.received.reshape(-1, m)
         innovation = _kalman.innovate(model, estimate, covariance, received, seen.sensor)
-        return State(*_kalman.correct(estimate, covariance, innovation, uses(seen)))
+
+        def evidence():
+            return _kalman.log_likelihood(innovation) - of_noise(received)
+
+        weight, last = weigh(seen, evidence, state.last)
+        return State(
+            *_kalman.correct(estimate, covariance, innovation, weight, spread), last
+        )  # (4)
 
     return Filter(
         init,

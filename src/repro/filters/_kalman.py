@@ -1,25 +1,26 @@
 """The steps of extended Kalman filters, on many systems at once, component by component.
 
-An estimate is (n, *batch); a symmetric matrix is its upper triangle row by row, packed as
-(n (n + 1) / 2, *batch). All work is elementwise over the batch, so that no result depends on what
-else is in it, and zeros and ones of a Jacobian cost nothing (repro.models.sparse).
+An estimate is (n, systems); a symmetric matrix is its upper triangle row by row, packed as
+(n (n + 1) / 2, systems). All work is elementwise over the systems, so that no result depends on
+which others stand beside it, and zeros and ones of a Jacobian cost nothing (repro.models.sparse).
 """
 
+from collections.abc import Callable
 from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 
 from repro.models import Model
-from repro.models.sparse import Rows, combine
+from repro.models.sparse import combine
 
 
 class Innovation(NamedTuple):
     """What a measurement says about a predicted state, decorrelated: S = L D L', L unit lower."""
 
-    rows: np.ndarray  # L^-1 C Sigma, (m, n, *batch)
-    variances: np.ndarray  # diagonal of D, (m, *batch)
-    values: np.ndarray  # L^-1 e, (m, *batch)
+    rows: np.ndarray  # L^-1 C Sigma, (m, n, systems)
+    variances: np.ndarray  # diagonal of D, (m, systems)
+    values: np.ndarray  # L^-1 e, (m, systems)
 
 
 _upper = cache(np.triu_indices)
@@ -35,22 +36,16 @@ def _places(n: int) -> np.ndarray:
     return places
 
 
-def pack(matrix: np.ndarray) -> np.ndarray:
-    """Upper triangle, row by row, of symmetric matrices (n, n, *batch)."""
-    return matrix[_upper(len(matrix))]
-
-
 def diagonal(packed: np.ndarray, n: int) -> np.ndarray:
-    """Diagonal of packed matrices, (n, *batch)."""
+    """Diagonal of packed matrices, (n, systems)."""
     return packed[np.diagonal(_places(n))]
 
 
-def start(model: Model, batch: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
-    """The initial estimate and its packed covariance for every system of a batch."""
-    spread = (slice(None), *(None,) * len(batch))
+def start(model: Model, systems: int) -> tuple[np.ndarray, np.ndarray]:
+    """The initial estimate and its packed covariance for every system."""
+    covariance = model.initial_covariance[_upper(len(model.initial_mean))]
     return tuple(
-        np.broadcast_to(values[spread], (len(values), *batch)).copy()
-        for values in (model.initial_mean, pack(model.initial_covariance))
+        np.repeat(values[:, None], systems, axis=1) for values in (model.initial_mean, covariance)
     )
 
 
@@ -58,38 +53,37 @@ def predict(
     model: Model, estimate: np.ndarray, covariance: np.ndarray, k: int
 ) -> tuple[np.ndarray, np.ndarray]:
     """xh(k+1|k) = f(xh(k|k)) and A Sigma A' + Q with A = f'(xh(k|k)), in new arrays."""
-    state = np.moveaxis(estimate, 0, -1)
-    jacobian = model.transition_jacobian(state, k)
-    predicted = np.ascontiguousarray(np.moveaxis(model.transition(state, k), -1, 0))
+    jacobian = model.transition_jacobian(estimate.T, k)
+    predicted = np.ascontiguousarray(model.transition(estimate.T, k).T)
     n = len(jacobian)
-    full = covariance[_places(n)]
-    left = np.empty_like(full)
-    for i, row in enumerate(jacobian):  # A Sigma
-        combine(row, full, left[i])
-    columns = left.swapaxes(0, 1)
-    for k, row in enumerate(jacobian):  # (A Sigma) A', upper triangle
-        combine(row, columns[:, : k + 1], full[: k + 1, k])
-    packed = pack(full)
-    noise = pack(model.process_covariance)
-    packed += noise.reshape(-1, *(1,) * (packed.ndim - 1))
+    places, noise = _places(n), model.process_covariance
+    packed = np.empty_like(covariance)
+    product = np.empty_like(estimate)  # a row of A Sigma
+    for i, row in enumerate(jacobian):
+        for column in set().union(*jacobian[i:]):
+            combine(row, {j: covariance[places[j, column]] for j in row}, product[column])
+        for j in range(i, n):  # (A Sigma) A', upper triangle
+            entry = packed[places[i, j]]
+            combine(jacobian[j], product, entry)
+            if noise[i, j] != 0:
+                entry += noise[i, j]
     return predicted, packed
 
 
 def innovate(
     model: Model, predicted: np.ndarray, covariance: np.ndarray, received: np.ndarray, sensor=None
 ) -> Innovation:
-    """Innovation of `received`, (*batch, m) or what broadcasts to it, at a prediction."""
-    state = np.moveaxis(predicted, 0, -1)
-    expected = model.measurement(state, sensor)
-    values = np.ascontiguousarray(np.moveaxis(model.innovation(received, expected), -1, 0))
+    """Innovation of the received values, (systems, m), at a prediction."""
+    state = predicted.T
+    values = np.ascontiguousarray(model.innovation(received, model.measurement(state, sensor)).T)
     jacobian = model.measurement_jacobian(state, sensor)
     m, n, noise = len(jacobian), len(predicted), model.measurement_covariance
     places = _places(n)
-    of_sigma = {j: covariance[places[j]] for j in sorted(set().union(*jacobian))}
     rows = np.empty((m, *predicted.shape))
     for i, row in enumerate(jacobian):  # C Sigma
-        combine(row, of_sigma, rows[i])
-    s = np.empty((m, m, *values.shape[1:]))
+        for column in range(n):
+            combine(row, {j: covariance[places[j, column]] for j in row}, rows[i, column])
+    s = np.empty((m, m, predicted.shape[1]))
     for i, row in enumerate(jacobian):  # (C Sigma) C' + R, lower triangle
         for j in range(i, m):
             combine(row, rows[j], s[j, i])
@@ -99,23 +93,26 @@ def innovate(
             factor = s[j, i] / s[i, i]
             rows[j] -= factor * rows[i]
             values[j] -= factor * values[i]
-            for l in range(i + 1, j + 1):
-                s[j, l] -= factor * s[l, i]
+            for column in range(i + 1, j + 1):
+                s[j, column] -= factor * s[column, i]
     return Innovation(rows, s[range(m), range(m)], values)
 
 
 def log_likelihood(innovation: Innovation) -> np.ndarray:
     """log N(e; 0, S) without its constant m log(2 pi) / 2."""
-    terms = np.log(innovation.variances) + innovation.values**2 / innovation.variances
-    return -0.5 * _summed(terms)
+    values = innovation.values
+    return -0.5 * _summed(np.log(innovation.variances) + values * values / innovation.variances)
 
 
-def noise_log_likelihood(model: Model, received: np.ndarray) -> np.ndarray:
-    """log N(y; 0, R) without the same constant, of values (..., m) that are noise alone."""
+def noise_log_likelihood(model: Model) -> Callable[[np.ndarray], np.ndarray]:
+    """log N(y; 0, R) without the same constant, as a function of values (systems, m)."""
     noise = model.measurement_covariance
     inverse, (_, log_determinant) = np.linalg.inv(noise), np.linalg.slogdet(noise)
-    whitened = np.moveaxis(np.vecmat(received, inverse) * received, -1, 0)
-    return -0.5 * (log_determinant + _summed(whitened))
+
+    def of_noise(received):
+        return -0.5 * (log_determinant + np.vecdot(np.vecmat(received, inverse), received))
+
+    return of_noise
 
 
 def correct(
@@ -130,20 +127,20 @@ def correct(
     With `spread` a weight between 0 and 1 is a probability of the measurement, and the spread of
     the means with and without it, g (1 - g) K e e' K', is added.
     """
-    n = len(estimate)
-    gains = innovation.rows / innovation.variances[:, None]
-    correction = _summed(gains * innovation.values[:, None])
-    estimate += weight * correction
-    gains *= -weight
-    for row, gain in zip(innovation.rows, gains, strict=True):
-        _add_outer(covariance, gain, row)
+    shares = weight / innovation.variances
+    for row, share, value in zip(innovation.rows, shares, innovation.values, strict=True):
+        gain = row * share
+        estimate += gain * value
+        _add_outer(covariance, -gain, row)
     if spread:
+        scaled = innovation.values / innovation.variances
+        correction = _summed(innovation.rows * scaled[:, None])
         _add_outer(covariance, weight * (1 - weight) * correction, correction)
     return estimate, covariance
 
 
 def _add_outer(packed: np.ndarray, left: np.ndarray, right: np.ndarray) -> None:
-    """Add the symmetric matrix left right', (n, *batch) each, to a packed one."""
+    """Add the symmetric matrix left right', (n, systems) each, to a packed one."""
     first = 0
     for i in range(len(left)):
         last = first + len(left) - i
@@ -152,7 +149,7 @@ def _add_outer(packed: np.ndarray, left: np.ndarray, right: np.ndarray) -> None:
 
 
 def _summed(terms: np.ndarray) -> np.ndarray:
-    """Sum over the first axis in its order, whatever the batch."""
+    """Sum over the first axis in its order, however many systems there are."""
     total = terms[0]
     for term in terms[1:]:
         total = total + term

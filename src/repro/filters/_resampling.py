@@ -44,12 +44,17 @@ def systematic(weights: np.ndarray, uniform: np.ndarray) -> np.ndarray:
 
 
 def multinomial(weights: np.ndarray, uniforms: np.ndarray) -> np.ndarray:
-    """Parents (rows, particles) by multinomial resampling; one uniform a particle."""
+    """Parents (rows, particles), ascending, by multinomial resampling; one uniform a particle.
+
+    One search serves all rows: row r occupies [r, r + 1). The numbers are first cut to multiples of
+    2^-40, so that the shift is exact and no row's parents depend on which row it is.
+    """
     rows, particles = weights.shape
     cumulative = np.cumsum(weights, axis=1)
     cumulative[:, -1] = 1.0
-    # One search for all rows: row r occupies [r, r + 1).
     shift = np.arange(rows)[:, None]
-    found = np.searchsorted((cumulative + shift).ravel(), (uniforms + shift).ravel(), side="right")
+    ends = np.floor(cumulative * 2.0**40) * 2.0**-40 + shift
+    drawn = np.floor(np.sort(uniforms, axis=1) * 2.0**40) * 2.0**-40 + shift
+    found = np.searchsorted(ends.ravel(), drawn.ravel(), side="right")
     parents = found.reshape(rows, particles) - shift * particles
     return np.minimum(parents, particles - 1)
