@@ -66,7 +66,8 @@ def _run_block(log: Log, name: str, settings: dict, trials: slice):
     mean = filter_.mean(state)
     if first == 1:
         estimate[:, 0] = _checked(mean, name, 0, estimate[:, 0].shape, numbers)
-    claimed = [filter_.variance(state)] * first if filter_.variance else None
+    claims = filter_.variance and getattr(study, "CLAIMED_VARIANCE", True)
+    claimed = [filter_.variance(state)] * first if claims else None
     diagnosed = [filter_.diagnostics(state)] * first if filter_.diagnostics else None
     for k in range(first, steps):
         # A filter without a prediction of its own is scheduled on its last estimate.

@@ -4,7 +4,7 @@ The text below (11) takes lambda(k-1) for the prior of gamma(k); then lambda is 
 is driven to one of its ends for good. The default prior is that of the loss process instead.
 """
 
-from scipy.special import expit
+import numpy as np
 
 from repro.filters import Filter, _extended_kalman
 from repro.models import Model
@@ -24,7 +24,8 @@ def build(model: Model, settings: dict) -> Filter:
         else:
             prior = log_odds(chain.arrival(last))
         odds = evidence() + prior
-        arrived = expit(odds)  # lambda(k) of (11)
+        with np.errstate(over="ignore"):  # odds of -1000 make lambda 0
+            arrived = 1 / (1 + np.exp(-odds))  # lambda(k) of (11)
         return arrived, odds if literal else arrived
 
     return _extended_kalman.build(model, weigh, spread=True)  # (12), (13)

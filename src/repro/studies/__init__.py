@@ -7,6 +7,7 @@ A study module gives
     model(parameters)               what a filter knows of system and network
     channels(log, trials, parameters)   what a filter may see of a slice of trials
     first_step(parameters)          optional: 0 if the first measurement is used without a prediction
+    TRIALS_A_BLOCK, CLAIMED_VARIANCE    optional: size of the runner's blocks; False keeps no variance
     error(log, estimate)            error of every state component, (trials, steps, n)
     rows(runs), curves(runs)        (metric, component, Statistic) for the tables and over k
 """
