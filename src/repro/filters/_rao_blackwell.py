@@ -96,7 +96,7 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
         return gamma, np.logaddexp(*both)
 
     def resample(weights, uniforms):
-        """Parents of the trials with too few effective particles; the others keep theirs (step 3)."""
+        """Parents where too few particles are effective; elsewhere everyone's own (step 3)."""
         rows = np.flatnonzero(effective_sample_size(weights) < threshold)
         if len(rows) == 0:
             return rows, None
@@ -149,7 +149,7 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
         return Bank(*corrected, bank.trial), column, gamma.ravel()[parents]
 
     def of_distinct(bank, innovation, column, gamma, parents):
-        """Steps a) to c) of Algorithm 4: an update for each triple, which is a column and a gamma."""
+        """Steps a) to c) of Algorithm 4: an update a triple, which is a column and a gamma."""
         triple = 2 * column + gamma
         if parents is not None:
             triple = triple.ravel()[parents]

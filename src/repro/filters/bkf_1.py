@@ -1,4 +1,4 @@
-"""BKF-I: the Kalman filter on the MAP estimate of the losses (Zhang, You, Xie 2018, Algorithm 1)."""
+"""BKF-I: a Kalman filter on MAP estimates of the losses (Zhang, You, Xie 2018, Algorithm 1)."""
 
 from repro.filters import Filter, _extended_kalman
 from repro.models import Model

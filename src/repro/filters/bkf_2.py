@@ -19,11 +19,9 @@ def build(model: Model, settings: dict) -> Filter:
     chain, literal = model.network, settings["prior"] == "lambda(k-1)"
 
     def weigh(seen, evidence, last):
-        if literal and last is not None:
-            prior = last  # log odds of lambda(k-1): lambda itself would round to 0 or 1
-        else:
-            prior = log_odds(chain.arrival(last))
-        odds = evidence() + prior
+        # Of lambda(k-1) the log odds are kept: lambda itself would round to 0 or 1.
+        own = literal and last is not None
+        odds = evidence() + (last if own else log_odds(chain.arrival(last)))
         with np.errstate(over="ignore"):  # odds of -1000 make lambda 0
             arrived = 1 / (1 + np.exp(-odds))  # lambda(k) of (11)
         return arrived, odds if literal else arrived

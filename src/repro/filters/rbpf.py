@@ -1,4 +1,4 @@
-"""RBPF: particles are loss sequences, each with its Kalman filter (Zhang, You, Xie, Algorithm 3)."""
+"""RBPF: particles are loss sequences, each with its Kalman filter (Zhang et al., Algorithm 3)."""
 
 from repro.filters import Filter, _rao_blackwell
 from repro.models import Model

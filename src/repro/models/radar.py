@@ -35,7 +35,7 @@ def initial_covariance(period: float, range_deviation: float) -> np.ndarray:
 
 
 def measurement(x: np.ndarray, bearing: str) -> np.ndarray:
-    """Range in m and bearing in rad, (..., 2); `bearing` "arctan" is the printed arctan(p2 / p1)."""
+    """Range in m and bearing in rad, (..., 2); `bearing` "arctan" is as printed."""
     p1, p2 = x.T[0], x.T[3]
     measured = np.empty((2, *p1.shape))
     measured[0] = np.sqrt(p1 * p1 + p2 * p2)

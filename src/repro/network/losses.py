@@ -1,7 +1,7 @@
 """Measurement losses that the receiver is not told of (Zhang, You, Xie 2018, (2) and Sec. III-A).
 
-gamma(k) = 1 if the packet of step k arrives, 0 if it is lost and y(k) = v(k), noise alone. Bernoulli
-losses are the Markov chain (Gilbert-Elliott) whose next state does not depend on its last.
+gamma(k) = 1 if the packet of step k arrives, 0 if it is lost and y(k) = v(k), noise alone.
+Bernoulli losses are the Markov chain (Gilbert-Elliott) whose next state does not need its last.
 """
 
 from typing import NamedTuple

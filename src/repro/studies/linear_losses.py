@@ -1,4 +1,4 @@
-"""The linear system with unknown measurement losses (Zhang, You, Xie 2018, Sec. VI-A; Figs. 1, 2)."""
+"""A linear system with unknown measurement losses (Zhang, You, Xie 2018, Sec. VI-A)."""
 
 import numpy as np
 

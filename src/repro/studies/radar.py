@@ -1,4 +1,4 @@
-"""Radar tracking with unknown measurement losses (Zhang, You, Xie 2018, Sec. VI-B; Figs. 3-5)."""
+"""Radar tracking with unknown measurement losses (Zhang, You, Xie 2018, Sec. VI-B)."""
 
 import numpy as np
 
