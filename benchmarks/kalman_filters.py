@@ -1,10 +1,11 @@
 """CPU time of the filters for unknown losses: python benchmarks/kalman_filters.py
 
-Limits: a Kalman update 0.5 us a trial-step (n = 2, m = 1) and 1.5 us (n = 6, m = 2); the RBPF 60 and
-250 ns a particle-step. FilterPy, a filter object a trial, stands beside the plain Kalman filter.
+Limits: a Kalman update 0.5 us a trial-step (n = 2, m = 1) and 1.5 us (n = 6, m = 2); the RBPF 60
+and 250 ns a particle-step. FilterPy, a filter object a trial, stands beside the plain update.
 """
 
 import time
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -72,13 +73,14 @@ def main() -> None:
                 trials=log.trials[:first],
                 values={topic: values[:first] for topic, values in log.values.items()},
             )
-            seconds = cpu(lambda few=few, name=name: run(few, name, filters.get(name, {})))
+            settings = filters.get(name, {})
+            seconds = cpu(partial(run, few, name, settings))
             spent = seconds / len(few.trials) / steps / particles * 1e9
             limit = LIMITS[study, particles > 1]
             unit = "particle-step" if particles > 1 else "trial-step"
             print(f"{study:14} {name:10} {spent:8.0f} ns a {unit} (limit {limit})")
         model = study_module(study).model(parameters)
-        spent = cpu(lambda log=log, model=model: filterpy_steps(log, model)) / steps * 1e9
+        spent = cpu(partial(filterpy_steps, log, model)) / steps * 1e9
         print(f"{study:14} FilterPy   {spent:8.0f} ns a trial-step")
 
 
