@@ -142,7 +142,11 @@ rule ekf:
         log=LOG,
         code=code("repro.run", "repro.filters.ekf"),
     output:
-        runs("ekf", studies=["wsn_tracking"]),
+        runs(
+            "ekf",
+            studies=["wsn_tracking", "linear_losses", "radar"],
+            points=["[!bpr]*", "poor-*", "pooled-*", "reading-*"],
+        ),
     log:
         logfile("ekf"),
     benchmark:
@@ -161,7 +165,11 @@ rule iekf:
         log=LOG,
         code=code("repro.run", "repro.filters.iekf"),
     output:
-        runs("iekf", studies=["wsn_tracking"]),
+        runs(
+            "iekf",
+            studies=["wsn_tracking", "linear_losses", "radar"],
+            points=["[!bpr]*", "poor-*", "pooled-*", "reading-*"],
+        ),
     log:
         logfile("iekf"),
     benchmark:
@@ -446,5 +454,116 @@ rule pf_ross_eh_joint:
     params:
         name="pf_ross_eh_joint",
         settings=settings("pf_ross_eh_joint"),
+    script:
+        RUN_FILTER
+
+
+rule bkf_1:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.bkf_1"),
+    output:
+        runs(
+            "bkf_1",
+            studies=["linear_losses", "radar"],
+            points=["[!bpr]*", "poor-*", "pooled-*", "reading-*"],
+        ),
+    log:
+        logfile("bkf_1"),
+    benchmark:
+        timing("bkf_1")
+    conda:
+        ENVIRONMENT
+    params:
+        name="bkf_1",
+        settings=settings("bkf_1"),
+    script:
+        RUN_FILTER
+
+
+rule bkf_2:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.bkf_2"),
+    output:
+        runs(
+            "bkf_2",
+            studies=["linear_losses", "radar"],
+            points=["[!pr]*", "poor-*", "pooled-*", "reading-*"],
+        ),
+    log:
+        logfile("bkf_2"),
+    benchmark:
+        timing("bkf_2")
+    conda:
+        ENVIRONMENT
+    params:
+        name="bkf_2",
+        settings=settings("bkf_2"),
+    script:
+        RUN_FILTER
+
+
+rule rbpf:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.rbpf"),
+    output:
+        runs("rbpf", studies=["linear_losses", "radar"], points=["[!bp]*", "particles=*", "poor-*"]),
+    log:
+        logfile("rbpf"),
+    benchmark:
+        timing("rbpf")
+    conda:
+        ENVIRONMENT
+    params:
+        name="rbpf",
+        settings=settings("rbpf"),
+    script:
+        RUN_FILTER
+
+
+rule rbpf_fast:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.rbpf_fast"),
+    output:
+        runs(
+            "rbpf_fast",
+            studies=["linear_losses", "radar"],
+            points=["loss=0.5", "markov-*", "particles=*", "pooled-*", "short-*"],
+        ),
+    log:
+        logfile("rbpf_fast"),
+    benchmark:
+        timing("rbpf_fast")
+    conda:
+        ENVIRONMENT
+    params:
+        name="rbpf_fast",
+        settings=settings("rbpf_fast"),
+    script:
+        RUN_FILTER
+
+
+rule exact:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.exact"),
+    output:
+        runs(
+            "exact",
+            studies=["linear_losses"],
+            points=["short-*"],
+        ),
+    log:
+        logfile("exact"),
+    benchmark:
+        timing("exact")
+    conda:
+        ENVIRONMENT
+    params:
+        name="exact",
+        settings=settings("exact"),
     script:
         RUN_FILTER
