@@ -194,6 +194,22 @@ def measured_files(paper):
     return sorted(str(path) for path in Path("params/measured").glob(f"{paper}*.csv"))
 
 
+def asked(key):
+    """What --config says of a log of one's own: log, study or point."""
+    if key not in RUN:
+        sys.exit(f"error: --config: '{key}' is missing; give log=PATH study=STUDY point=POINT")
+    return RUN[key]
+
+
+def asked_point():
+    """The resolved point that a log of one's own is of."""
+    study, point = asked("study"), asked("point")
+    if point not in STUDIES.get(study, {}):
+        known = ", ".join(STUDIES.get(study, STUDIES))
+        sys.exit(f"error: --config: there is no study '{study}' with a point '{point}': {known}")
+    return STUDIES[study][point]
+
+
 def commit():
     """The commit of the code and parameters, with -dirty where they differ from it."""
     said = subprocess.run(

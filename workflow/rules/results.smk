@@ -329,3 +329,28 @@ rule archive:
         ENVIRONMENT
     script:
         "../scripts/archive.py"
+
+
+rule own:
+    input:
+        log=lambda wildcards: asked("log"),
+        code=lambda wildcards: code_files(
+            "repro.own", f"repro.filters.{wildcards.filter}", f"repro.studies.{asked('study')}"
+        ),
+    output:
+        f"{RESULTS}/own/{{filter}}.csv",
+    log:
+        logfile("own", "filter"),
+    wildcard_constraints:
+        filter="[a-z0-9_]+",
+    conda:
+        ENVIRONMENT
+    params:
+        asked=lambda wildcards: {
+            "study": asked("study"),
+            "point": asked("point"),
+            "parameters": asked_point().parameters,
+            "settings": asked_point().filters.get(wildcards.filter, {}),
+        },
+    script:
+        "../scripts/own.py"

@@ -33,6 +33,11 @@ class Log(NamedTuple):
     fields: dict[str, tuple[str, ...]]  # of each topic
     values: dict[str, np.ndarray]
 
+    @property
+    def steps(self) -> int:
+        """Messages that a trial has in the topics of every step."""
+        return max(values.shape[1] for values in self.values.values())
+
     def field(self, topic: str, name: str) -> np.ndarray:
         """One field of a topic, (trials, messages a trial)."""
         return self.values[topic][:, :, self.fields[topic].index(name)]

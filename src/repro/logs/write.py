@@ -62,11 +62,12 @@ def _write_messages(container: Container, log: Log, period_ns: int) -> None:
         )
         for topic, fields in log.fields.items()
     }
-    steps = max(values.shape[1] for values in log.values.values())
     for first in range(0, len(log.trials), TRIALS_A_BLOCK):
         block = slice(first, first + TRIALS_A_BLOCK)
         for topic, values in log.values.items():
-            records = _records(channels[topic], log.trials[block], values[block], steps, period_ns)
+            records = _records(
+                channels[topic], log.trials[block], values[block], log.steps, period_ns
+            )
             container.add_chunk(channels[topic], records)
 
 
