@@ -108,7 +108,7 @@ def rmse_over_k(results: Results, name: str, target: int) -> Figure:
     """RMSE over k of every filter, a band of two standard errors, and the printed averages."""
     curves = results.curves(name)
     curves = curves[(curves["metric"] == "rmse") & (curves["component"] == f"target_{target}")]
-    published = results.diff("censored_network")
+    published = results.diff()
     here = (published["study"] == name) & (published["component"] == f"target_{target}")
     published = published[here].set_index("filter")["published"]
     drawn, axes = style.figure(size=(7.2, 4.6))
@@ -147,7 +147,7 @@ def rmse_over_k(results: Results, name: str, target: int) -> Figure:
 
 def time_averages(results: Results, name: str) -> Figure:
     """The table of time-averaged RMSE, published and ours, with both standard errors."""
-    diff = results.diff("censored_network")
+    diff = results.diff()
     diff = diff[diff["study"] == name].set_index(["filter", "component"])
     drawn, grid = style.figure(1, 4, size=(9.2, 3.9), sharey=True)
     filters = results.filters(name, POINT)
