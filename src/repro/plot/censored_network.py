@@ -212,7 +212,6 @@ def sensitivity(results: Results) -> Figure:
         left.set_yticks(np.arange(len(readings)), readings, fontsize=8)
         left.invert_yaxis()
         style.plain_log(left, "x")
-        left.legend(fontsize=7)
         orders = table[table["metric"] == "order"]
         columns = list(dict.fromkeys(orders["filter"]))
         for row in orders.itertuples():
@@ -231,5 +230,7 @@ def sensitivity(results: Results) -> Figure:
         ]
         right.set_xticks(np.arange(len(columns)), names, rotation=30, ha="right", fontsize=8)
         right.set_xlim(-0.5, len(columns) - 0.5)
+    legend = grid[0, 0].get_legend_handles_labels()
+    drawn.legend(*legend, fontsize=8, ncols=5, loc="outside upper left")
     grid[0, 1].set_title("order: full holds, ring undecided, cross fails", fontsize=8)
     return drawn
