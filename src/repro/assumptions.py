@@ -54,6 +54,8 @@ def reading_rows(table: pd.DataFrame, published: pd.DataFrame, points: dict, tol
             if key not in by_point[base].index:
                 continue
             there = by_point[base].loc[key]
+            if there["value"] == ours["value"]:
+                continue  # the reading is no matter of this filter
             printed = known.loc[(base, *key)] if (base, *key) in known.index else None
             if printed is None and key[1] != first_metric:
                 continue

@@ -5,6 +5,7 @@ import numpy as np
 from repro.errors import ReproError
 
 # Not impairments but part of the measurement function: every filter may know which sensor measures.
+# None where a study schedules no sensors.
 ALWAYS_SEEN = ("sensor", "earlier_sensors")
 
 
@@ -34,9 +35,10 @@ class Seen:
                     f"filter {name}: SEES names the channel '{channel}', which this study does "
                     f"not have; it has {', '.join(c for c in offered if c not in ALWAYS_SEEN)}"
                 )
-        for channel in (*declared, *ALWAYS_SEEN):
-            if channel in offered:
-                setattr(self, channel, offered[channel])
+        for channel in ALWAYS_SEEN:
+            setattr(self, channel, offered.get(channel))
+        for channel in declared:
+            setattr(self, channel, offered[channel])
 
     def __getattr__(self, channel: str):
         raise ReproError(

@@ -56,6 +56,17 @@ def of_mean(per_trial: np.ndarray, function) -> Statistic:
     return Statistic(value, mcse, *_quantiles(function(per_trial)))
 
 
+def root_mean_over_steps(squared: np.ndarray, over_steps) -> Statistic:
+    """Sum or mean (`over_steps`) of RMSE_k over the steps; squared errors are (trials, steps).
+
+    RMSE_k is the root of the mean over the trials; the quantiles are those of single trials.
+    """
+    left_out = over_steps(leave_one_out(squared, np.sqrt), axis=1)
+    value = over_steps(np.sqrt(squared.mean(axis=0)))
+    single = over_steps(np.sqrt(squared), axis=1)
+    return Statistic(value, jackknife_error(left_out), *_quantiles(single))
+
+
 def leave_one_out(per_trial: np.ndarray, function) -> np.ndarray:
     """function(mean over all trials but one), one row for each trial left out."""
     if len(per_trial) < 2:

@@ -32,7 +32,10 @@ def filter_module(name: str) -> ModuleType:
 
 def run(log: Log, name: str, settings: dict) -> tuple[np.ndarray, Runs]:
     """Estimates (trials, steps, n) and runs of a filter on every trial of a log."""
-    block = getattr(study_module(log.study), "TRIALS_A_BLOCK", TRIALS_A_BLOCK)
+    study = study_module(log.study)
+    filter_ = filter_module(name).build(study.model(log.parameters), settings)
+    block = getattr(study, "TRIALS_A_BLOCK", TRIALS_A_BLOCK)
+    block = max(1, block // filter_.particles)
     blocks = [
         _run_block(log, name, settings, slice(first, first + block))
         for first in range(0, len(log.trials), block)
@@ -56,16 +59,23 @@ def _run_block(log: Log, name: str, settings: dict, trials: slice):
     channels = study.channels(log, trials, log.parameters)
     numbers = log.trials[trials].tolist()
     steps = log.values["/truth"].shape[1]
-    state = filter_.init(Streams(log.seed, log.study, f"filter:{name}", numbers))
+    stream = getattr(module, "STREAM", name)  # filters that share it draw the same numbers
+    state = filter_.init(Streams(log.seed, log.study, f"filter:{stream}", numbers))
     estimate = np.empty((len(numbers), steps, len(model.initial_mean)))
-    estimate[:, 0] = _checked(filter_.mean(state), name, 0, estimate[:, 0].shape, numbers)
-    claimed = [filter_.variance(state)] if filter_.variance else None
-    diagnosed = [filter_.diagnostics(state)] if filter_.diagnostics else None
-    for k in range(1, steps):
-        predicted = (filter_.predicted or _no_prediction(filter_))(state, k)
+    first = study.first_step(log.parameters) if hasattr(study, "first_step") else 1
+    mean = filter_.mean(state)
+    if first == 1:
+        estimate[:, 0] = _checked(mean, name, 0, estimate[:, 0].shape, numbers)
+    claims = filter_.variance and getattr(study, "CLAIMED_VARIANCE", True)
+    claimed = [filter_.variance(state)] * first if claims else None
+    diagnosed = [filter_.diagnostics(state)] * first if filter_.diagnostics else None
+    for k in range(first, steps):
+        # A filter without a prediction of its own is scheduled on its last estimate.
+        predicted = filter_.predicted(state, k) if filter_.predicted else mean
         seen = Seen(name, module.SEES, channels.at(k, predicted))
         state = filter_.step(state, k, seen)
-        estimate[:, k] = _checked(filter_.mean(state), name, k, estimate[:, k].shape, numbers)
+        mean = _checked(filter_.mean(state), name, k, estimate[:, k].shape, numbers)
+        estimate[:, k] = mean
         if claimed is not None:
             claimed.append(filter_.variance(state))
         if diagnosed is not None:
@@ -77,11 +87,6 @@ def _run_block(log: Log, name: str, settings: dict, trials: slice):
         claimed = np.stack(claimed, axis=-2)  # (steps, n) if the same for every trial
     guarded = filter_.degenerate(state) if filter_.degenerate else np.zeros(len(numbers))
     return estimate, claimed, guarded, recorded
-
-
-def _no_prediction(filter_):
-    """A filter without a prediction of its own is scheduled on its last estimate."""
-    return lambda state, k: filter_.mean(state)
 
 
 def _checked(mean, name: str, k: int, shape: tuple[int, int], numbers: list[int]) -> np.ndarray:

@@ -142,7 +142,11 @@ rule ekf:
         log=LOG,
         code=code("repro.run", "repro.filters.ekf"),
     output:
-        runs("ekf", studies=["wsn_tracking"]),
+        runs(
+            "ekf",
+            studies=["wsn_tracking", "linear_losses", "radar"],
+            points=["[!bpr]*", "poor-*", "pooled-*", "reading-*"],
+        ),
     log:
         logfile("ekf"),
     benchmark:
@@ -161,7 +165,11 @@ rule iekf:
         log=LOG,
         code=code("repro.run", "repro.filters.iekf"),
     output:
-        runs("iekf", studies=["wsn_tracking"]),
+        runs(
+            "iekf",
+            studies=["wsn_tracking", "linear_losses", "radar"],
+            points=["[!bpr]*", "poor-*", "pooled-*", "reading-*"],
+        ),
     log:
         logfile("iekf"),
     benchmark:
@@ -289,5 +297,273 @@ rule dead_reckoning:
     params:
         name="dead_reckoning",
         settings=settings("dead_reckoning"),
+    script:
+        RUN_FILTER
+
+
+rule pf_ross_eh:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.pf_ross_eh"),
+    output:
+        runs("pf_ross_eh", studies=["ungm", "rss_2d", "rss_3d"]),
+    log:
+        logfile("pf_ross_eh"),
+    benchmark:
+        timing("pf_ross_eh")
+    conda:
+        ENVIRONMENT
+    params:
+        name="pf_ross_eh",
+        settings=settings("pf_ross_eh"),
+    script:
+        RUN_FILTER
+
+
+rule pf_ross:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.pf_ross"),
+    output:
+        runs(
+            "pf_ross",
+            studies=["ungm", "rss_2d", "rss_3d"],
+            points=["base", "reading-layout=*", "reading-weights=*"],
+        ),
+    log:
+        logfile("pf_ross"),
+    benchmark:
+        timing("pf_ross")
+    conda:
+        ENVIRONMENT
+    params:
+        name="pf_ross",
+        settings=settings("pf_ross"),
+    script:
+        RUN_FILTER
+
+
+rule pf_eh:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.pf_eh"),
+    output:
+        runs(
+            "pf_eh",
+            studies=["ungm", "rss_2d", "rss_3d"],
+            points=["base", "reading-layout=*", "reading-weights=*"],
+        ),
+    log:
+        logfile("pf_eh"),
+    benchmark:
+        timing("pf_eh")
+    conda:
+        ENVIRONMENT
+    params:
+        name="pf_eh",
+        settings=settings("pf_eh"),
+    script:
+        RUN_FILTER
+
+
+rule spf:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.spf"),
+    output:
+        runs(
+            "spf",
+            studies=["ungm", "rss_2d", "rss_3d"],
+            points=["base", "reading-layout=*", "reading-weights=*"],
+        ),
+    log:
+        logfile("spf"),
+    benchmark:
+        timing("spf")
+    conda:
+        ENVIRONMENT
+    params:
+        name="spf",
+        settings=settings("spf"),
+    script:
+        RUN_FILTER
+
+
+rule spf_im:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.spf_im"),
+    output:
+        runs(
+            "spf_im",
+            studies=["ungm", "rss_2d", "rss_3d"],
+            points=["base", "reading-layout=*", "reading-weights=*"],
+        ),
+    log:
+        logfile("spf_im"),
+    benchmark:
+        timing("spf_im")
+    conda:
+        ENVIRONMENT
+    params:
+        name="spf_im",
+        settings=settings("spf_im"),
+    script:
+        RUN_FILTER
+
+
+rule pf_ross_eh_exact:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.pf_ross_eh_exact"),
+    output:
+        runs(
+            "pf_ross_eh_exact",
+            studies=["ungm"],
+            points=["base", "reading-harvest=*"],
+        ),
+    log:
+        logfile("pf_ross_eh_exact"),
+    benchmark:
+        timing("pf_ross_eh_exact")
+    conda:
+        ENVIRONMENT
+    params:
+        name="pf_ross_eh_exact",
+        settings=settings("pf_ross_eh_exact"),
+    script:
+        RUN_FILTER
+
+
+rule pf_ross_eh_joint:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.pf_ross_eh_joint"),
+    output:
+        runs(
+            "pf_ross_eh_joint",
+            studies=["ungm"],
+            points=["base", "reading-harvest=*"],
+        ),
+    log:
+        logfile("pf_ross_eh_joint"),
+    benchmark:
+        timing("pf_ross_eh_joint")
+    conda:
+        ENVIRONMENT
+    params:
+        name="pf_ross_eh_joint",
+        settings=settings("pf_ross_eh_joint"),
+    script:
+        RUN_FILTER
+
+
+rule bkf_1:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.bkf_1"),
+    output:
+        runs(
+            "bkf_1",
+            studies=["linear_losses", "radar"],
+            points=["[!bpr]*", "poor-*", "pooled-*", "reading-*"],
+        ),
+    log:
+        logfile("bkf_1"),
+    benchmark:
+        timing("bkf_1")
+    conda:
+        ENVIRONMENT
+    params:
+        name="bkf_1",
+        settings=settings("bkf_1"),
+    script:
+        RUN_FILTER
+
+
+rule bkf_2:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.bkf_2"),
+    output:
+        runs(
+            "bkf_2",
+            studies=["linear_losses", "radar"],
+            points=["[!pr]*", "poor-*", "pooled-*", "reading-*"],
+        ),
+    log:
+        logfile("bkf_2"),
+    benchmark:
+        timing("bkf_2")
+    conda:
+        ENVIRONMENT
+    params:
+        name="bkf_2",
+        settings=settings("bkf_2"),
+    script:
+        RUN_FILTER
+
+
+rule rbpf:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.rbpf"),
+    output:
+        runs("rbpf", studies=["linear_losses", "radar"], points=["[!bp]*", "particles=*", "poor-*"]),
+    log:
+        logfile("rbpf"),
+    benchmark:
+        timing("rbpf")
+    conda:
+        ENVIRONMENT
+    params:
+        name="rbpf",
+        settings=settings("rbpf"),
+    script:
+        RUN_FILTER
+
+
+rule rbpf_fast:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.rbpf_fast"),
+    output:
+        runs(
+            "rbpf_fast",
+            studies=["linear_losses", "radar"],
+            points=["loss=0.5", "markov-*", "particles=*", "pooled-*", "short-*"],
+        ),
+    log:
+        logfile("rbpf_fast"),
+    benchmark:
+        timing("rbpf_fast")
+    conda:
+        ENVIRONMENT
+    params:
+        name="rbpf_fast",
+        settings=settings("rbpf_fast"),
+    script:
+        RUN_FILTER
+
+
+rule exact:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.exact"),
+    output:
+        runs(
+            "exact",
+            studies=["linear_losses"],
+            points=["short-*"],
+        ),
+    log:
+        logfile("exact"),
+    benchmark:
+        timing("exact")
+    conda:
+        ENVIRONMENT
+    params:
+        name="exact",
+        settings=settings("exact"),
     script:
         RUN_FILTER

@@ -68,6 +68,23 @@ rule sensitivity:
         "../scripts/sensitivity.py"
 
 
+rule complexity:
+    input:
+        code=code("repro.tables", "repro.textbook"),
+    output:
+        f"{RESULTS}/tables/complexity.csv",
+    log:
+        f"{RESULTS}/job_logs/complexity.log",
+    conda:
+        ENVIRONMENT
+    params:
+        n=6,
+        m=2,
+        particles=STUDIES["radar"]["loss=0.5"].filters["rbpf"]["particles"],
+    script:
+        "../scripts/complexity.py"
+
+
 rule claims:
     input:
         runs=lambda wildcards: [
@@ -76,6 +93,7 @@ rule claims:
         logs=lambda wildcards: [
             file for study in PAPERS[wildcards.paper].studies for file in log_files(study)
         ],
+        measured=lambda wildcards: measured_files(wildcards.paper),
         code=code("repro.claims.{paper}"),
     output:
         f"{RESULTS}/claims/{{paper}}.csv",
@@ -297,3 +315,17 @@ rule view:
         shards=len(SHARDS),
     script:
         "../scripts/view.py"
+
+
+rule archive:
+    input:
+        manifest=f"{RESULTS}/manifest.json",
+        code=code("repro.archive"),
+    output:
+        f"{RESULTS}/archive.zip",
+    log:
+        f"{RESULTS}/job_logs/archive.log",
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/archive.py"

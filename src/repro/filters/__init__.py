@@ -1,7 +1,8 @@
 """The filters: one file each, named as in its paper; kernels shared by several begin with _.
 
 A filter module gives LABEL (its name in tables and figures), SEES (the channels it may see) and
-`build(model, settings) -> Filter`. It is batched: every array has a leading axis of trials.
+`build(model, settings) -> Filter`. It is batched: every array has a leading axis of trials. It may
+give STREAM, the name of its random streams (default: its own); filters that share one are paired.
 """
 
 from collections.abc import Callable
@@ -18,3 +19,4 @@ class Filter(NamedTuple):
     variance: Callable | None = None  # (state) -> claimed error variances, (n,) or (trials, n)
     degenerate: Callable | None = None  # (state) -> guarded updates so far, (trials,)
     diagnostics: Callable | None = None  # (state) -> {name: (trials,)} of this step, for the tables
+    particles: int = 1  # systems a trial has, by which the runner sizes its blocks of trials

@@ -1,48 +1,54 @@
-"""Extended Kalman filter with a scalar measurement, updating where a flag says so."""
+"""Extended Kalman filter that weighs each measurement by what it knows or infers of its loss."""
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from repro.filters import Filter
+from repro.filters import Filter, _kalman
 from repro.models import Model
 
 
 class State(NamedTuple):
-    estimate: np.ndarray  # xh(k|k), (trials, n)
-    covariance: np.ndarray  # P(k|k), (trials, n, n)
+    estimate: np.ndarray  # xh(k|k), (n, trials)
+    covariance: np.ndarray  # Sigma(k|k), packed, (n (n + 1) / 2, trials)
+    last: Any  # what the filter keeps of gamma(k), (trials,); None before the first packet
 
 
-def build(model: Model, uses: Callable) -> Filter:
-    """`uses(seen)` gives 1 where the received value is taken for z(k) and 0 where it is left."""
-    q, r = model.process_covariance, model.measurement_variance
+def build(model: Model, weigh: Callable, spread: bool = False) -> Filter:
+    """`weigh(seen, evidence, last)` gives the weight of y(k) in the update, and the next `last`.
+
+    1 takes y(k) for a measurement and 0 leaves it. evidence() is log N(e; 0, S) - log N(y; 0, R).
+    With `spread` the weight is a probability, and the spread of the two means is added.
+    """
+    n, m = len(model.initial_mean), len(model.measurement_covariance)
+    of_noise = _kalman.noise_log_likelihood(model)
 
     def init(streams):
-        trials = len(streams)
-        return State(
-            np.tile(model.initial_mean, (trials, 1)),
-            np.tile(model.initial_covariance, (trials, 1, 1)),
-        )
+        return State(*_kalman.start(model, len(streams)), last=None)
+
+    def predict(state, k):
+        if k == 0:  # the first measurement of a study that starts with an update
+            return state.estimate.copy(), state.covariance.copy()
+        return _kalman.predict(model, state.estimate, state.covariance, k - 1)  # (5)
 
     def step(state, k, seen):
-        jacobian = model.transition_jacobian(state.estimate, k - 1)
-        predicted = model.transition(state.estimate, k - 1)
-        covariance = jacobian @ state.covariance @ np.swapaxes(jacobian, -1, -2) + q
-        row = model.measurement_jacobian(predicted, seen.sensor)
-        cross = np.matvec(covariance, row)
-        variance = np.vecdot(cross, row) + r
-        gain = (uses(seen) / variance)[:, None] * cross
-        innovation = seen.received - model.measurement(predicted, seen.sensor)
-        covariance = covariance - gain[:, :, None] * cross[:, None, :]
+        estimate, covariance = predict(state, k)
+        received = seen.received.reshape(-1, m)
+        innovation = _kalman.innovate(model, estimate, covariance, received, seen.sensor)
+
+        def evidence():
+            return _kalman.log_likelihood(innovation) - of_noise(received)
+
+        weight, last = weigh(seen, evidence, state.last)
         return State(
-            predicted + gain * innovation[:, None],
-            (covariance + np.swapaxes(covariance, -1, -2)) / 2,
-        )
+            *_kalman.correct(estimate, covariance, innovation, weight, spread), last
+        )  # (4)
 
     return Filter(
         init,
         step,
-        mean=lambda state: state.estimate,
-        predicted=lambda state, k: model.transition(state.estimate, k - 1),
+        mean=lambda state: state.estimate.T,
+        predicted=lambda state, k: model.transition(state.estimate.T, k - 1),
+        variance=lambda state: _kalman.diagonal(state.covariance, n).T,
     )

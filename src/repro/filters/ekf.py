@@ -8,4 +8,4 @@ SEES = ("received",)
 
 
 def build(model: Model, settings: dict) -> Filter:
-    return _extended_kalman.build(model, uses=lambda seen: 1.0)
+    return _extended_kalman.build(model, lambda seen, evidence, last: (1.0, None))

@@ -6,6 +6,7 @@ import numpy as np
 
 from repro.filters import Filter, _minimum_variance
 from repro.models import Model
+from repro.models.sparse import dense
 from repro.network.packet_delays import mean_weights
 
 LABEL = "EMVF"
@@ -38,7 +39,7 @@ def build_with(model: Model, settings: dict, realised_delay) -> Filter:
     bound = model.network.bound
     weights = mean_weights(model.network.arrival_probability, bound, settings["alpha_rule"])
     matched = settings["initial_second_moment"] == "matched"
-    q = model.process_covariance
+    q, r = model.process_covariance, model.measurement_covariance[0, 0]
 
     def initial_second_moment():
         if settings["initial_second_moment"] == "P0":
@@ -64,15 +65,18 @@ def build_with(model: Model, settings: dict, realised_delay) -> Filter:
         return np.array([delay == i for i in range(len(ranges))], dtype=float)
 
     def step(state, k, seen):
-        jacobian = model.transition_jacobian(state.estimate, k - 1)
+        trials, n = state.estimate.shape
+        jacobian = dense(model.transition_jacobian(state.estimate, k - 1), (trials,), n)
         predicted = model.transition(state.estimate, k - 1)  # (23)
         predictions = (predicted, *state.predictions)
         sensors = (seen.sensor, *seen.earlier_sensors)[: len(predictions)]
         if settings["late_measurement"] == "current sensor":
             sensors = (seen.sensor,) * len(predictions)
         terms = list(zip(predictions, sensors, strict=True))
-        rows = [model.measurement_jacobian(x, sensor) for x, sensor in terms]
-        ranges = np.stack([model.measurement(x, sensor) for x, sensor in terms])
+        rows = [
+            dense(model.measurement_jacobian(x, sensor), (trials,), n)[:, 0] for x, sensor in terms
+        ]
+        ranges = np.stack([model.measurement(x, sensor)[:, 0] for x, sensor in terms])
         expected = (innovation_weights(seen, ranges) * ranges).sum(axis=0)
         update = _minimum_variance.gain(
             rows,
@@ -82,7 +86,7 @@ def build_with(model: Model, settings: dict, realised_delay) -> Filter:
             state.covariance,
             state.second_moment,
             q,
-            model.measurement_variance,
+            r,
             settings["qbar_sign"],
             spread_of_ranges(weights[: len(ranges), None], ranges) if matched else None,
         )

@@ -8,4 +8,4 @@ SEES = ("received", "arrival")
 
 
 def build(model: Model, settings: dict) -> Filter:
-    return _extended_kalman.build(model, uses=lambda seen: seen.arrival)
+    return _extended_kalman.build(model, lambda seen, evidence, last: (seen.arrival, None))

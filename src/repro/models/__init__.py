@@ -23,20 +23,22 @@ class LinearModel(NamedTuple):
 
 
 class Model(NamedTuple):
-    """x(k+1) = f(x(k)) + w(k), z(k) = h(x(k)) + v(k), scalar z, with the Jacobians of f and h.
+    """x(k+1) = f(x(k)) + w(k), z(k) = h(x(k)) + v(k), z of m components, with f' and h'.
 
-    h takes the position of the sensor that measures, (..., 2), where a study schedules sensors.
+    h takes the position of the sensor that measures, (..., 2), where a study schedules sensors;
+    it is None elsewhere. Jacobians are sparse rows (repro.models.sparse).
     """
 
-    transition: Callable  # (x, k) -> x(k+1) without noise
-    transition_jacobian: Callable  # (x, k) -> (..., n, n)
-    measurement: Callable  # (x, sensor) -> (...)
-    measurement_jacobian: Callable  # (x, sensor) -> (..., n), the row H
+    transition: Callable  # (x, k) -> x(k+1) without noise, (..., n), a new array
+    transition_jacobian: Callable  # (x, k) -> n rows
+    measurement: Callable  # (x, sensor) -> (..., m)
+    measurement_jacobian: Callable  # (x, sensor) -> m rows
     process_covariance: np.ndarray  # Q, (n, n)
-    measurement_variance: float  # R
+    measurement_covariance: np.ndarray  # R, (m, m)
     initial_mean: np.ndarray
     initial_covariance: np.ndarray
     network: Any = None
+    innovation: Callable = np.subtract  # (received, expected) -> (..., m); angles are wrapped
 
 
 class DelayNetwork(NamedTuple):

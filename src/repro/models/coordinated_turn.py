@@ -6,6 +6,8 @@ angle T omega over the sampling time T. det f' = 1 for every state, so that f' i
 
 import numpy as np
 
+from repro.models.sparse import Rows
+
 SERIES_BELOW = 1e-3  # |omega T| below which the 0/0 quotients are taken from their series
 RANGE_FLOOR = 1e-6  # m; the bearing of a target on its sensor is undefined
 
@@ -14,15 +16,17 @@ def _quotients(omega: np.ndarray, time: float):
     """sin(a)/omega and (cos(a) - 1)/omega for a = omega T, and their derivatives by omega."""
     angle = omega * time
     near = np.abs(angle) < SERIES_BELOW
-    safe = np.where(near, 1.0, omega)
+    some = near.any()
+    safe = np.where(near, 1.0, omega) if some else omega
     a = safe * time
     sine, cosine = np.sin(a), np.cos(a)
-    along = np.where(near, time * (1 - angle**2 / 6), sine / safe)
-    across = np.where(near, -time * angle / 2 * (1 - angle**2 / 12), (cosine - 1) / safe)
-    d_along = np.where(near, -(time**2) * angle / 3, (a * cosine - sine) / safe**2)
-    d_across = np.where(
-        near, -(time**2) / 2 * (1 - angle**2 / 4), -(a * sine + cosine - 1) / safe**2
-    )
+    along, across = sine / safe, (cosine - 1) / safe
+    d_along, d_across = (a * cosine - sine) / safe**2, -(a * sine + cosine - 1) / safe**2
+    if some:
+        along = np.where(near, time * (1 - angle**2 / 6), along)
+        across = np.where(near, -time * angle / 2 * (1 - angle**2 / 12), across)
+        d_along = np.where(near, -(time**2) * angle / 3, d_along)
+        d_across = np.where(near, -(time**2) / 2 * (1 - angle**2 / 4), d_across)
     return along, across, d_along, d_across
 
 
@@ -43,26 +47,18 @@ def transition(x: np.ndarray, time: float) -> np.ndarray:
     )
 
 
-def transition_jacobian(x: np.ndarray, time: float) -> np.ndarray:
-    """f'(x), shape (..., 5, 5); last column as printed below (41)."""
+def transition_jacobian(x: np.ndarray, time: float) -> Rows:
+    """f'(x) as sparse rows; last column as printed below (41)."""
     vx, vy, omega = x[..., 2], x[..., 3], x[..., 4]
     along, across, d_along, d_across = _quotients(omega, time)
     sine, cosine = np.sin(omega * time), np.cos(omega * time)
-    jacobian = np.zeros((*x.shape, 5))
-    jacobian[..., range(5), range(5)] = 1.0
-    jacobian[..., 0, 2] = along
-    jacobian[..., 0, 3] = across
-    jacobian[..., 1, 2] = -across
-    jacobian[..., 1, 3] = along
-    jacobian[..., 2, 2] = cosine
-    jacobian[..., 2, 3] = -sine
-    jacobian[..., 3, 2] = sine
-    jacobian[..., 3, 3] = cosine
-    jacobian[..., 0, 4] = d_along * vx + d_across * vy
-    jacobian[..., 1, 4] = -d_across * vx + d_along * vy
-    jacobian[..., 2, 4] = -time * sine * vx - time * cosine * vy
-    jacobian[..., 3, 4] = time * cosine * vx - time * sine * vy
-    return jacobian
+    return [
+        {0: 1.0, 2: along, 3: across, 4: d_along * vx + d_across * vy},
+        {1: 1.0, 2: -across, 3: along, 4: -d_across * vx + d_along * vy},
+        {2: cosine, 3: -sine, 4: -time * sine * vx - time * cosine * vy},
+        {2: sine, 3: cosine, 4: time * cosine * vx - time * sine * vy},
+        {4: 1.0},
+    ]
 
 
 def distance(x: np.ndarray, sensor: np.ndarray) -> np.ndarray:
@@ -70,9 +66,7 @@ def distance(x: np.ndarray, sensor: np.ndarray) -> np.ndarray:
     return np.hypot(x[..., 0] - sensor[..., 0], x[..., 1] - sensor[..., 1])
 
 
-def distance_jacobian(x: np.ndarray, sensor: np.ndarray) -> np.ndarray:
-    """Row H of (42), shape (..., 5); two entries are not zero (the printed third is a misprint)."""
-    row = np.zeros(x.shape)
-    offset = x[..., :2] - sensor
-    row[..., :2] = offset / np.maximum(distance(x, sensor), RANGE_FLOOR)[..., None]
-    return row
+def distance_jacobian(x: np.ndarray, sensor: np.ndarray) -> Rows:
+    """Row H of (42); two entries are not zero (the printed third is a misprint)."""
+    floored = np.maximum(distance(x, sensor), RANGE_FLOOR)
+    return [{i: (x[..., i] - sensor[..., i]) / floored for i in (0, 1)}]

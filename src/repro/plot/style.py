@@ -36,6 +36,20 @@ def figure(rows: int = 1, columns: int = 1, size: tuple[float, float] = (7.0, 4.
     return pyplot.subplots(rows, columns, figsize=size, **axes)
 
 
+def table(rows, heads: tuple[str, ...], widths: tuple[float, ...]) -> Figure:
+    """A table as a picture; widths are shares of the figure's."""
+    drawn, axes = figure(size=(7.6, 0.29 * (len(rows) + 1) + 0.2))
+    axes.axis("off")
+    cells = axes.table(rows, colLabels=heads, colWidths=widths, cellLoc="left", bbox=(0, 0, 1, 1))
+    cells.auto_set_font_size(False)
+    cells.set_fontsize(9)
+    for (row, _), cell in cells.get_celld().items():
+        cell.set(linewidth=0.4, edgecolor="0.7")
+        if row == 0:
+            cell.set(facecolor="0.92")
+    return drawn
+
+
 def label(filter_: str) -> str:
     """The name of a filter in tables and figures."""
     return filter_module(filter_).LABEL

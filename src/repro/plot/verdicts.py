@@ -38,7 +38,7 @@ def _draw_values(axes, values, exact: int) -> None:
     theirs = values["their_error"].to_numpy() / published
     axes.barh(place, 2 * theirs, left=1 - theirs, height=0.7, color="0.85", lw=0)
     ratio, error = values["ours"].to_numpy() / published, values["mcse"].to_numpy() / published
-    axes.errorbar(ratio, place, xerr=error, fmt="none", ecolor=colours, capsize=2)
+    axes.errorbar(ratio, place, xerr=error, fmt="none", ecolor=colours)
     axes.scatter(ratio, place, color=colours, s=18, zorder=3)
     axes.axvline(1, color="black", lw=1)
     also = f"; {exact} exact values match and are not drawn" if exact else ""
@@ -88,8 +88,8 @@ def tally(results: Results) -> Figure:
                 if count:
                     axes.annotate(f"{count:g}", (start + count / 2, row), ha="center", va="center")
             left += counts
-        axes.set(title=f"published {kind}s", xlabel="number")
-        axes.legend(fontsize=8, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.28))
+        axes.set(title=f"published {kind}s")
+        axes.legend(fontsize=8, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.15))
         axes.grid(False)
     grid[0].invert_yaxis()
     return drawn

@@ -8,6 +8,10 @@ A study module gives
     channels(log, trials, parameters)   what a filter may see of a slice of trials
     error(log, estimate)            error of every state component, (trials, steps, n)
     rows(runs), curves(runs)        (metric, component, Statistic) for the tables and over k
+and if it likes
+    first_step(parameters)          0 if y(0) is used, without a prediction before it; else 1
+    TRIALS_A_BLOCK                  how many systems the runner puts side by side
+    CLAIMED_VARIANCE                False: the variances that the filters claim are not kept
 """
 
 from importlib import import_module

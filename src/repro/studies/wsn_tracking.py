@@ -89,10 +89,10 @@ def model(parameters: dict) -> Model:
         transition_jacobian=lambda x, k: coordinated_turn.transition_jacobian(
             x, _time(parameters, k)
         ),
-        measurement=coordinated_turn.distance,
+        measurement=lambda x, sensor: coordinated_turn.distance(x, sensor)[..., None],
         measurement_jacobian=coordinated_turn.distance_jacobian,
         process_covariance=process_covariance,
-        measurement_variance=parameters["measurement_variance"],
+        measurement_covariance=np.array([[parameters["measurement_variance"]]]),
         initial_mean=np.array(parameters["initial_estimate"], dtype=float),
         initial_covariance=np.array(parameters["initial_covariance"]),
         network=DelayNetwork(parameters["arrival_probability"], parameters["packet_bound"]),

@@ -1,0 +1,29 @@
+"""BKF-II: both hypotheses of a loss, merged (Zhang, You, Xie 2018, Algorithm 2).
+
+The text below (11) takes lambda(k-1) for the prior of gamma(k); then lambda is its own prior and
+is driven to one of its ends for good. The default prior is that of the loss process instead.
+"""
+
+import numpy as np
+
+from repro.filters import Filter, _extended_kalman
+from repro.models import Model
+from repro.network.losses import log_odds
+
+LABEL = "BKF-II"
+SEES = ("received",)
+
+
+def build(model: Model, settings: dict) -> Filter:
+    """Setting `prior`: theta (of the loss process), or lambda(k-1) as printed below (11)."""
+    chain, literal = model.network, settings["prior"] == "lambda(k-1)"
+
+    def weigh(seen, evidence, last):
+        # Of lambda(k-1) the log odds are kept: lambda itself would round to 0 or 1.
+        own = literal and last is not None
+        odds = evidence() + (last if own else log_odds(chain.arrival(last)))
+        with np.errstate(over="ignore"):  # odds of -1000 make lambda 0
+            arrived = 1 / (1 + np.exp(-odds))  # lambda(k) of (11)
+        return arrived, odds if literal else arrived
+
+    return _extended_kalman.build(model, weigh, spread=True)  # (12), (13)

@@ -1,0 +1,73 @@
+"""The exact estimate without knowledge of the losses: every loss sequence has its Kalman filter.
+
+Not in the paper, and for short horizons only: the number of sequences doubles at every packet. For
+a linear system it is the minimum mean squared error estimate, to which the RBPF converges.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from repro.filters import Filter, _kalman
+from repro.filters._resampling import normalised
+from repro.models import Model
+
+LABEL = "exact"
+SEES = ("received",)
+SEQUENCES = 2**12  # at the end of the longest horizon: how the runner sizes its blocks
+
+
+class State(NamedTuple):
+    estimate: np.ndarray  # of each trial's sequences, (n, trials * sequences)
+    covariance: np.ndarray  # packed, (n (n + 1) / 2, trials * sequences)
+    last: np.ndarray | None  # gamma(k) of each sequence, (sequences,)
+    log_weights: np.ndarray  # log Pr(sequence | y(0) ... y(k)) + constant, (trials, sequences)
+
+
+def build(model: Model, settings: dict) -> Filter:
+    n, m, chain = len(model.initial_mean), len(model.measurement_covariance), model.network
+    of_noise = _kalman.noise_log_likelihood(model)
+
+    def init(streams):
+        trials = len(streams)
+        return State(*_kalman.start(model, trials), None, np.zeros((trials, 1)))
+
+    def step(state, k, seen):
+        estimate, covariance, last, log_weights = state
+        trials, sequences = log_weights.shape
+        if k > 0:
+            estimate, covariance = _kalman.predict(model, estimate, covariance, k - 1)
+        received = seen.received.reshape(-1, m)
+        innovation = _kalman.innovate(
+            model, estimate, covariance, received.repeat(sequences, axis=0), seen.sensor
+        )
+        likelihood = _kalman.log_likelihood(innovation).reshape(trials, sequences)
+        arrival = np.asarray(chain.arrival(last))
+        with np.errstate(divide="ignore"):  # an impossible sequence has the log weight -inf
+            arrived = log_weights + np.log(arrival) + likelihood
+            lost = log_weights + np.log1p(-arrival) + of_noise(received)[:, None]
+        updated = _kalman.correct(estimate.copy(), covariance.copy(), innovation, 1.0)
+
+        def both(without, with_):
+            parts = [part.reshape(-1, trials, sequences) for part in (without, with_)]
+            return np.concatenate(parts, axis=-1).reshape(len(without), -1)
+
+        return State(
+            both(estimate, updated[0]),
+            both(covariance, updated[1]),
+            np.repeat([0.0, 1.0], sequences),
+            np.concatenate([lost, arrived], axis=-1),
+        )
+
+    def mean(state):
+        weights, _ = normalised(state.log_weights)
+        return np.vecdot(state.estimate.reshape(n, *weights.shape), weights).T
+
+    def variance(state):
+        weights, _ = normalised(state.log_weights)
+        estimates = state.estimate.reshape(n, *weights.shape)
+        spread = (estimates - np.vecdot(estimates, weights)[..., None]) ** 2
+        of_state = _kalman.diagonal(state.covariance, n).reshape(n, *weights.shape)
+        return np.vecdot(of_state + spread, weights).T
+
+    return Filter(init, step, mean, variance=variance, particles=SEQUENCES)

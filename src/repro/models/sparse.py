@@ -1,0 +1,47 @@
+"""Sparse matrices as rows, for Jacobians whose pattern is known: {column: entry}.
+
+An entry is a number or an array over the batch (...); a column that is left out is always zero.
+So a kernel that works through the entries pays nothing for zeros, and no product for ones.
+"""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+Rows = Sequence[Mapping[int, float | np.ndarray]]
+
+
+def rows(matrix: np.ndarray) -> Rows:
+    """Rows of a constant matrix (m, n)."""
+    return [{j: float(entry) for j, entry in enumerate(row) if entry != 0} for row in matrix]
+
+
+def dense(sparse: Rows, batch: tuple[int, ...], columns: int) -> np.ndarray:
+    """The matrices, (*batch, rows, columns)."""
+    matrix = np.zeros((*batch, len(sparse), columns))
+    for i, row in enumerate(sparse):
+        for j, entry in row.items():
+            matrix[..., i, j] = entry
+    return matrix
+
+
+def combine(row: Mapping[int, float | np.ndarray], slabs: np.ndarray, out: np.ndarray) -> None:
+    """out = sum of entry * slabs[column], elementwise, always in the same order."""
+    ones = [j for j, entry in row.items() if isinstance(entry, float) and entry == 1.0]
+    started = False
+    for j, entry in row.items():
+        if j in ones:
+            continue
+        if started:
+            out += slabs[j] * entry
+        else:
+            np.multiply(slabs[j], entry, out=out)
+            started = True
+    for j in ones:
+        if started:
+            out += slabs[j]
+        else:
+            np.copyto(out, slabs[j])
+            started = True
+    if not started:
+        out[...] = 0.0

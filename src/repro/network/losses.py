@@ -1,0 +1,47 @@
+"""Measurement losses that the receiver is not told of (Zhang, You, Xie 2018, (2) and Sec. III-A).
+
+gamma(k) = 1 if the packet of step k arrives, 0 if it is lost and y(k) = v(k), noise alone.
+Bernoulli losses are the Markov chain (Gilbert-Elliott) whose next state does not need its last.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Losses(NamedTuple):
+    """The chain gamma(k) as a filter knows it: probabilities of an arrival, never an arrival."""
+
+    first: float  # Pr(gamma = 1) of the first packet
+    after_loss: float  # Pr(gamma(k) = 1 | gamma(k-1) = 0), q of Sec. III-A
+    after_arrival: float  # Pr(gamma(k) = 1 | gamma(k-1) = 1), 1 - p of Sec. III-A
+
+    def arrival(self, last: np.ndarray | None) -> np.ndarray | float:
+        """Pr(gamma(k) = 1) after gamma(k-1), or after a probability of it; None at the first."""
+        if last is None or self.after_loss == self.after_arrival:
+            return self.first
+        return self.after_loss + (self.after_arrival - self.after_loss) * last
+
+
+def losses(parameters: dict) -> Losses:
+    """The chain of a study's parameters; a Markov chain starts in its stationary distribution."""
+    if parameters["loss_process"] == "Bernoulli":
+        theta = 1 - parameters["loss_probability"]
+        return Losses(theta, theta, theta)
+    p, q = parameters["loss_after_arrival"], parameters["arrival_after_loss"]
+    return Losses(first=q / (p + q), after_loss=q, after_arrival=1 - p)
+
+
+def arrivals(uniforms: np.ndarray, chain: Losses) -> np.ndarray:
+    """gamma, (trials, steps), from one uniform a step: lost where it is below the probability."""
+    gamma = np.empty(uniforms.shape)
+    last = None
+    for k in range(uniforms.shape[1]):
+        gamma[:, k] = last = (uniforms[:, k] >= 1 - chain.arrival(last)).astype(float)
+    return gamma
+
+
+def log_odds(probability: np.ndarray | float) -> np.ndarray:
+    """log(p / (1 - p)); infinite, not NaN, at 0 and 1."""
+    with np.errstate(divide="ignore"):
+        return np.log(probability) - np.log1p(-np.asarray(probability, dtype=float))

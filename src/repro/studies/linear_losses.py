@@ -1,0 +1,95 @@
+"""A linear system with unknown measurement losses (Zhang, You, Xie 2018, Sec. VI-A)."""
+
+import numpy as np
+
+from repro import metrics
+from repro.channels import Recorded
+from repro.models import Model, linear_system
+from repro.models.sparse import rows as sparse_rows
+from repro.network import losses
+
+COMPONENTS = ("x1", "x2")
+TRIALS_A_BLOCK = 10000  # systems, trials times particles: few calls, and their rows stay cached
+
+
+def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
+    return {"/truth": COMPONENTS, "/sensor": ("z",), "/received": ("y",), "/network": ("gamma",)}
+
+
+def period(parameters: dict) -> float:
+    return 1.0  # the paper gives its example no unit of time
+
+
+def first_step(parameters: dict) -> int:
+    return 0  # Algorithms 1-3 update with y(0) before any prediction
+
+
+def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
+    steps = parameters["steps"]
+    prior = linear_system.root(np.array(parameters["initial_covariance"]))
+    process = linear_system.root(np.array(parameters["process_covariance"]))
+    x0 = np.matvec(prior, streams("prior").standard_normal(len(COMPONENTS)))
+    truth = linear_system.trajectory(
+        sparse_rows(parameters["transition_matrix"]),
+        np.array(parameters["initial_mean"]) + x0,
+        np.matvec(process, streams("process").standard_normal(steps - 1, len(COMPONENTS))),
+    )  # (20)
+    measured = np.vecdot(truth, np.array(parameters["measurement_row"]))
+    v = np.sqrt(parameters["measurement_variance"]) * streams("sensor").standard_normal(steps)
+    gamma = losses.arrivals(streams("network").uniform(steps), losses.losses(parameters))
+    return {
+        "/truth": truth,
+        "/sensor": (measured + v)[:, :, None],
+        "/received": (gamma * measured + v)[:, :, None],
+        "/network": gamma[:, :, None],
+    }
+
+
+def model(parameters: dict) -> Model:
+    transition = sparse_rows(parameters["transition_matrix"])
+    measurement = sparse_rows([parameters["measurement_row"]])
+    return Model(
+        transition=lambda x, k: linear_system.product(transition, x),
+        transition_jacobian=lambda x, k: transition,
+        measurement=lambda x, sensor: linear_system.product(measurement, x),
+        measurement_jacobian=lambda x, sensor: measurement,
+        process_covariance=np.array(parameters["process_covariance"]),
+        measurement_covariance=np.array([[parameters["measurement_variance"]]]),
+        initial_mean=np.array(parameters["initial_mean"]),
+        initial_covariance=np.array(parameters["initial_covariance"]),
+        network=losses.losses(parameters),
+    )
+
+
+def channels(log, trials: slice, parameters: dict) -> Recorded:
+    return Recorded(
+        received=log.values["/received"][trials],
+        without_loss=log.values["/sensor"][trials],
+        arrival=log.field("/network", "gamma")[trials],
+    )
+
+
+def error(log, estimate: np.ndarray) -> np.ndarray:
+    return estimate - log.values["/truth"]
+
+
+def squared_error(runs) -> np.ndarray:
+    """|x(k) - xh(k|k)|^2, (trials, steps)."""
+    return np.vecdot(runs.error, runs.error)
+
+
+def rows(runs):
+    squared = squared_error(runs)
+    yield "rmse_sum", "state", metrics.root_mean_over_steps(squared, np.sum)
+    yield "mse", "state", metrics.mean(squared.mean(axis=1))
+    yield "claimed_mse", "state", metrics.mean(runs.claimed.sum(axis=-1).mean(axis=1))
+    if "triples" in runs.recorded:
+        yield "triples", "state", metrics.mean(runs.recorded["triples"].mean(axis=1))
+
+
+def curves(runs):
+    yield "rmse", "state", metrics.root_mean(squared_error(runs))
+
+
+def lost(runs):
+    return None  # nothing in the paper calls a run of this example lost

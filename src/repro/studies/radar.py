@@ -1,0 +1,133 @@
+"""Radar tracking with unknown measurement losses (Zhang, You, Xie 2018, Sec. VI-B)."""
+
+import numpy as np
+
+from repro import metrics
+from repro.channels import Recorded
+from repro.models import Model, linear_system
+from repro.models import radar as system
+from repro.models.sparse import rows as sparse_rows
+from repro.network import losses
+
+TRIALS_A_BLOCK = 8000  # systems, trials times particles: few calls, and their rows stay cached
+CLAIMED_VARIANCE = False  # none of the tables has it
+LOST_ABOVE = 100.0  # m: a run that ends with a larger error has lost the target
+
+
+def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
+    return {
+        "/truth": system.STATE,
+        "/sensor": ("range", "bearing"),
+        "/received": ("range", "bearing"),
+        "/network": ("gamma",),
+    }
+
+
+def period(parameters: dict) -> float:
+    return parameters["sampling_time"]
+
+
+def first_step(parameters: dict) -> int:
+    return parameters["first_measurement"]
+
+
+def _measurement(x: np.ndarray, parameters: dict) -> np.ndarray:
+    return system.measurement(x, "arctan" if parameters["bearing"] == "arctan" else "atan2")
+
+
+def _noise_deviations(parameters: dict) -> np.ndarray:
+    return np.array(
+        [parameters["range_deviation"], np.deg2rad(parameters["bearing_deviation_deg"])]
+    )
+
+
+def _initial(parameters: dict, along: list[float]) -> np.ndarray:
+    return np.tile(np.array(along, dtype=float), 2)
+
+
+def _covariances(parameters: dict) -> tuple[np.ndarray, np.ndarray]:
+    """Q and Sigma_0."""
+    period_, deviation = parameters["sampling_time"], parameters["range_deviation"]
+    process = system.process_covariance(
+        period_, parameters["manoeuvre_rate"], parameters["manoeuvre_deviation"]
+    )
+    return process, system.initial_covariance(period_, deviation)
+
+
+def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
+    steps, n = parameters["steps"], len(system.STATE)
+    process, prior = _covariances(parameters)
+    x0 = np.matvec(linear_system.root(prior), streams("prior").standard_normal(n))
+    if parameters["true_initial_state"] == "mean":
+        x0[:] = 0.0
+    truth = linear_system.trajectory(
+        sparse_rows(system.transition_matrix(parameters["sampling_time"])),
+        _initial(parameters, parameters["true_initial_mean"]) + x0,
+        np.matvec(linear_system.root(process), streams("process").standard_normal(steps, n)),
+    )  # (21)
+    v = _noise_deviations(parameters) * streams("sensor").standard_normal(steps + 1, 2)
+    gamma = losses.arrivals(streams("network").uniform(steps + 1), losses.losses(parameters))
+    measured = _measurement(truth, parameters)
+    return {
+        "/truth": truth,
+        "/sensor": measured + v,
+        "/received": gamma[:, :, None] * measured + v,
+        "/network": gamma[:, :, None],
+    }
+
+
+def model(parameters: dict) -> Model:
+    transition = sparse_rows(system.transition_matrix(parameters["sampling_time"]))
+    process, prior = _covariances(parameters)
+    wrapped = parameters["bearing"] == "atan2, wrapped"
+    return Model(
+        transition=lambda x, k: linear_system.product(transition, x),
+        transition_jacobian=lambda x, k: transition,
+        measurement=lambda x, sensor: _measurement(x, parameters),
+        measurement_jacobian=lambda x, sensor: system.measurement_jacobian(x),
+        process_covariance=process,
+        measurement_covariance=np.diag(_noise_deviations(parameters) ** 2),
+        initial_mean=_initial(parameters, parameters["initial_estimate"]),
+        initial_covariance=prior,
+        network=losses.losses(parameters),
+        innovation=system.wrapped_innovation if wrapped else np.subtract,
+    )
+
+
+def channels(log, trials: slice, parameters: dict) -> Recorded:
+    return Recorded(
+        received=log.values["/received"][trials],
+        without_loss=log.values["/sensor"][trials],
+        arrival=log.field("/network", "gamma")[trials],
+    )
+
+
+def error(log, estimate: np.ndarray) -> np.ndarray:
+    return estimate - log.values["/truth"]
+
+
+def squared_error(runs) -> np.ndarray:
+    """Squared position error at k = 1, 2, ..., (trials, steps), in m^2."""
+    return runs.error[:, 1:, 0] ** 2 + runs.error[:, 1:, 3] ** 2
+
+
+def final_error(runs) -> np.ndarray:
+    """Position error at the last step, (trials,), in m."""
+    return np.sqrt(squared_error(runs)[:, -1])
+
+
+def lost(runs) -> np.ndarray:
+    """Which runs end without the target, (trials,)."""
+    return final_error(runs) > LOST_ABOVE
+
+
+def rows(runs):
+    yield "rmse", "position", metrics.root_mean_over_steps(squared_error(runs), np.mean)
+    yield "final_error", "position", metrics.mean(final_error(runs))
+    if "triples" in runs.recorded:
+        yield "triples", "position", metrics.mean(runs.recorded["triples"][:, 1:].mean(axis=1))
+
+
+def curves(runs):
+    squared = runs.error[:, :, 0] ** 2 + runs.error[:, :, 3] ** 2
+    yield "rmse", "position", metrics.root_mean(squared)
