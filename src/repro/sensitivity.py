@@ -48,7 +48,7 @@ def tabulate(results: Results, name: str, prefix: str, tolerance: float, path: s
     fewest = min(len(results.runs(name, point, "mapf").error) for point in points)
     readings = (
         *OF_THE_METRIC,
-        Reading("base, first runs", "base", trials=fewest),  # those that the readings share
+        Reading("base of the same runs", "base", trials=fewest),  # the runs that the readings have
         *(Reading(point.removeprefix(prefix), point) for point in points),
     )
     rows = []

@@ -205,7 +205,7 @@ def sensitivity(results: Results) -> Figure:
                 place,
                 xerr=2 * rows["mcse"],
                 ms=5,
-                label=label(name, filter_),
+                label=style.label(filter_),
                 **line,
             )
         left.set(xscale="log", xlabel="RMSE in m, mean of the targets and of k", title=MODEL[name])
