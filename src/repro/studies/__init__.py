@@ -12,6 +12,8 @@ and if it likes
     first_step(parameters)          0 if y(0) is used, without a prediction before it; else 1
     TRIALS_A_BLOCK                  how many systems the runner puts side by side
     CLAIMED_VARIANCE                False: the variances that the filters claim are not kept
+    INFERRED_ARRIVALS               True: what the filters infer of the arrivals is kept
+    flight(log, estimate, runs)     of a closed loop: the log of what was flown
 """
 
 from importlib import import_module
@@ -28,6 +30,7 @@ class Runs(NamedTuple):
     claimed: np.ndarray | None  # claimed error variances, ([trials,] steps, n)
     degenerate: np.ndarray  # guarded updates, (trials,)
     recorded: dict[str, np.ndarray]  # what the closed loop decided
+    flown: dict[str, np.ndarray] | None = None  # topics of a closed loop's log; not in the file
 
 
 def study_module(name: str) -> ModuleType:
