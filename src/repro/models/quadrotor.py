@@ -132,7 +132,7 @@ def _stages(frame: Airframe, x: np.ndarray, loads: _Loads, period: float):
     after += slopes[:, 3]
     after *= period / 6
     after += x
-    np.maximum(after[11], 0.0, out=after[11])  # the ground
+    after[11] = np.maximum(after[11], 0.0)  # the ground
     return states, after
 
 
