@@ -135,9 +135,13 @@ def log_files(study, points=None):
     ]
 
 
+# Tables that come from no trials, by paper.
+COMPUTED_TABLES = {"packet_delays": ["packet_example"], "unknown_losses": ["complexity"]}
+
+
 def table_files(paper):
-    """Tables of a paper: of its studies and of its examples."""
-    tables = [*PAPERS[paper].studies, *(["packet_example"] if PAPERS[paper].examples else [])]
+    """Tables of a paper: of its studies, and computed ones."""
+    tables = [*PAPERS[paper].studies, *COMPUTED_TABLES.get(paper, [])]
     return [f"{RESULTS}/tables/{table}.csv" for table in tables]
 
 
@@ -154,7 +158,13 @@ def figure_inputs(wildcards):
     files += [f"{RESULTS}/curves/{study}.csv" for study in tables if study in STUDIES]
     for study, points in needs.get("points", {}).items():
         files += [*log_files(study, points), *run_files(study, points)]
+    files += needs.get("measured", [])
     return files + ([f"{RESULTS}/diff.csv"] if needs.get("diff") else [])
+
+
+def measured_files(paper):
+    """Measurements of a machine, which no rule of a rebuild makes again."""
+    return sorted(str(path) for path in Path("params/measured").glob(f"{paper}*.csv"))
 
 
 def commit():

@@ -279,7 +279,7 @@ rule rbpf_fast:
         runs(
             "rbpf_fast",
             studies=["linear_losses", "radar"],
-            points=["loss=0.5", "markov-*", "particles=*", "pooled-*"],
+            points=["loss=0.5", "markov-*", "particles=*", "pooled-*", "short-*"],
         ),
     log:
         logfile("rbpf_fast"),

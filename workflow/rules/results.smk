@@ -42,6 +42,23 @@ rule packet_example:
         "../scripts/packet_example.py"
 
 
+rule complexity:
+    input:
+        code=code("repro.tables", "repro.textbook"),
+    output:
+        f"{RESULTS}/tables/complexity.csv",
+    log:
+        f"{RESULTS}/job_logs/complexity.log",
+    conda:
+        ENVIRONMENT
+    params:
+        n=6,
+        m=2,
+        particles=STUDIES["radar"]["loss=0.5"].filters["rbpf"]["particles"],
+    script:
+        "../scripts/complexity.py"
+
+
 rule claims:
     input:
         runs=lambda wildcards: [
@@ -50,6 +67,7 @@ rule claims:
         logs=lambda wildcards: [
             file for study in PAPERS[wildcards.paper].studies for file in log_files(study)
         ],
+        measured=lambda wildcards: measured_files(wildcards.paper),
         code=code("repro.claims.{paper}"),
     output:
         f"{RESULTS}/claims/{{paper}}.csv",

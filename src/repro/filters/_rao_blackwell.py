@@ -123,7 +123,7 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
         gamma, gained = sample(state, for_gamma, likelihood, noise)
         log_weights = state.log_weights + gained
         weights, degenerate = normalised(log_weights)
-        log_weights -= log_weights.max(axis=1, keepdims=True)
+        log_weights[degenerate] = 0.0
         rows, parents = resample(weights, for_parents)
         if parents is not None:
             log_weights[rows], weights[rows] = 0.0, 1 / particles
@@ -177,7 +177,7 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
 
     def diagnostics(state):
         counts = np.bincount(state.bank.trial, minlength=len(state.weights))
-        return {"triples": counts.astype(float)} if distinct else {}
+        return {"triples": counts.astype(float)}
 
     return Filter(
         init,
@@ -185,7 +185,7 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
         mean,
         variance=variance,
         degenerate=lambda state: state.degenerate,
-        diagnostics=diagnostics,
+        diagnostics=diagnostics if distinct else None,
         arrived=lambda state: np.vecdot(state.weights, state.gamma),
         particles=particles,
     )

@@ -9,8 +9,8 @@ def product(matrix: Rows, x: np.ndarray) -> np.ndarray:
     """Matrix times states (..., n) -> (..., rows); component-major in memory, if x is."""
     components = x.T
     values = np.empty((len(matrix), *components.shape[1:]))
-    for row, value in zip(matrix, values, strict=True):
-        combine(row, components, value)
+    for i, row in enumerate(matrix):
+        combine(row, components, values[i, ...])
     return values.T
 
 

@@ -1,4 +1,5 @@
 """Drawing: one look for all figures. A figure script gives NEEDS, CAPTION and draw(results).
 
-NEEDS names what the figure reads, as literals: `tables` (studies), `points` (study -> points).
+NEEDS names what the figure reads, as literals: `tables` (studies), `points` (study -> points),
+`measured` (files of params/measured), `diff` (True).
 """

@@ -9,16 +9,26 @@ BAND = 2  # standard errors either side
 
 
 def sweep(
-    axes: Axes, results: Results, study: str, points: dict[float, str], metric: str, component: str
+    axes: Axes,
+    results: Results,
+    study: str,
+    points: dict[float, str],
+    metric: str,
+    component: str,
+    names: dict[str, str] | None = None,
 ) -> None:
-    """Draw one line a filter: `points` maps the swept value to the point's name."""
+    """Draw one line a filter: `points` maps the swept value to the point's name.
+
+    `names` are the filters' names in this figure, where they differ from their labels.
+    """
     table = results.table(study)
     table = table[(table["metric"] == metric) & (table["component"] == component)]
     values = list(points)
     for filter_ in results.filters(study, points[values[0]]):
         rows = table[table["filter"] == filter_].set_index("point").loc[list(points.values())]
         look = style.look(results.catalogue, study, filter_)
-        axes.plot(values, rows["value"], label=style.label(filter_), markersize=4, lw=1.3, **look)
+        label = (names or {}).get(filter_, style.label(filter_))
+        axes.plot(values, rows["value"], label=label, markersize=4, lw=1.3, **look)
         axes.fill_between(
             values,
             rows["value"] - BAND * rows["mcse"],

@@ -9,7 +9,7 @@ from repro.models.sparse import rows as sparse_rows
 from repro.network import losses
 
 COMPONENTS = ("x1", "x2")
-TRIALS_A_BLOCK = 8000  # systems, trials times particles: few calls, and their rows stay cached
+TRIALS_A_BLOCK = 10000  # systems, trials times particles: few calls, and their rows stay cached
 
 
 def topics(parameters: dict) -> dict[str, tuple[str, ...]]:

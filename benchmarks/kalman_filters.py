@@ -1,0 +1,88 @@
+"""CPU time of the filters for unknown losses: python benchmarks/kalman_filters.py
+
+Limits: a Kalman update 0.5 us a trial-step (n = 2, m = 1) and 1.5 us (n = 6, m = 2); the RBPF 60
+and 250 ns a particle-step. FilterPy, a filter object a trial, stands beside the plain update.
+"""
+
+import time
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+from filterpy.kalman import ExtendedKalmanFilter, KalmanFilter
+
+from repro.models.sparse import dense
+from repro.params import load_paper
+from repro.run import run
+from repro.simulate import simulated
+from repro.studies import study_module
+
+ROOT = Path(__file__).parent.parent
+REPEATS = 5
+LIMITS = {("linear_losses", False): 500, ("radar", False): 1500}
+LIMITS |= {("linear_losses", True): 60, ("radar", True): 250}  # ns
+
+
+def cpu(function) -> float:
+    """Best CPU time in s."""
+    times = []
+    for _ in range(REPEATS):
+        start = time.process_time()
+        function()
+        times.append(time.process_time() - start)
+    return min(times)
+
+
+def filterpy_steps(log, model) -> None:
+    """Predict and update of the first trial, once a step, the packet taken for received."""
+    n, m = len(model.initial_mean), len(model.measurement_covariance)
+    linear = log.study == "linear_losses"
+    filter_ = (KalmanFilter if linear else ExtendedKalmanFilter)(dim_x=n, dim_z=m)
+    filter_.x, filter_.P = model.initial_mean[:, None].copy(), model.initial_covariance.copy()
+    filter_.F = dense(model.transition_jacobian(model.initial_mean, 0), (), n)
+    filter_.Q, filter_.R = model.process_covariance, model.measurement_covariance
+
+    def jacobian(x):
+        return dense(model.measurement_jacobian(x[:, 0], None), (), n)
+
+    if linear:
+        filter_.H = jacobian(filter_.x)
+    for received in log.values["/received"][0]:
+        filter_.predict()
+        if linear:
+            filter_.update(received[:, None])
+        else:
+            filter_.update(
+                received[:, None],
+                jacobian,
+                lambda x: model.measurement(x[:, 0], None)[:, None],
+                residual=lambda y, h: model.innovation(y[:, 0], h[:, 0])[:, None],
+            )
+
+
+def main() -> None:
+    paper = load_paper(ROOT / "params" / "unknown_losses.yaml", ROOT / "workflow" / "schemas")
+    for study, trials in (("linear_losses", 500), ("radar", 1500)):
+        parameters, filters = paper.studies[study]["loss=0.5"]
+        log = simulated(study, "loss=0.5", parameters, 0, np.arange(trials))
+        steps = log.values["/truth"].shape[1]
+        for name in ("ekf", "iekf", "bkf_1", "bkf_2", "rbpf", "rbpf_fast"):
+            particles = filters.get(name, {}).get("particles", 1)
+            first = trials if particles < 100 else 80
+            few = log._replace(
+                trials=log.trials[:first],
+                values={topic: values[:first] for topic, values in log.values.items()},
+            )
+            settings = filters.get(name, {})
+            seconds = cpu(partial(run, few, name, settings))
+            spent = seconds / len(few.trials) / steps / particles * 1e9
+            limit = LIMITS[study, particles > 1]
+            unit = "particle-step" if particles > 1 else "trial-step"
+            print(f"{study:14} {name:10} {spent:8.0f} ns a {unit} (limit {limit})")
+        model = study_module(study).model(parameters)
+        spent = cpu(partial(filterpy_steps, log, model)) / steps * 1e9
+        print(f"{study:14} FilterPy   {spent:8.0f} ns a trial-step")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,20 @@
+"""Figure 2: time and accuracy of the RBPF over its number of particles, linear system."""
+
+import pandas as pd
+
+from repro.plot.losses import particles_needed
+
+NEEDS = {
+    "tables": ["linear_losses"],
+    "measured": ["params/measured/unknown_losses_iteration_times.csv"],
+}
+CAPTION = (
+    "Figure 2. Time of an iteration of one trial (best of several, batched over trials), "
+    "measured once on the machine named above it by benchmarks/iteration_times.py, which a "
+    "rebuild does not repeat; sum of RMSE; and how many distinct triples the fast form "
+    "updates. p and the grid of N are assumed."
+)
+
+
+def draw(results):
+    return particles_needed(results, pd.read_csv(NEEDS["measured"][0]))

@@ -1,0 +1,13 @@
+"""Figure 5a: true and estimated track, p = 0.5."""
+
+from repro.plot.losses import tracks
+
+NEEDS = {"points": {"radar": ["loss=0.5"]}}
+CAPTION = (
+    "Figure 5a. One run at p = 0.5, the one in which the RBPF's mean error is the median of "
+    "all runs; the paper does not say how it chose its own."
+)
+
+
+def draw(results):
+    return tracks(results, "loss=0.5")

@@ -1,0 +1,41 @@
+"""Table I: operations of one iteration, counted in the algorithms as printed."""
+
+from repro.plot import style
+
+NEEDS = {"tables": ["complexity"]}
+CAPTION = (
+    "Table I. Gaussian densities and matrix products of one iteration: the paper's, and as "
+    "counted in the algorithms written out as printed. The RBPF needs one density a particle,"
+    " that of the branch it drew; with the density of noise, common to all, N + 1 at most."
+)
+PAPERS = {
+    "iekf": ("IEKF", "0", "7"),
+    "rbpf": ("RBPF", "2N", "O(N)"),
+    "bkf_1": ("BKF-I", "2", "7"),
+    "bkf_2": ("BKF-II", "2", "9"),
+}
+
+
+def draw(results):
+    table = results.table("complexity")
+    counted = table.set_index(["filter", "component"])["value"]
+    particles = int(table["point"].iloc[0].split("=")[1])
+
+    def ours(filter_, component):
+        count = counted[filter_, component]
+        return f"{count / particles:g}N" if filter_ == "rbpf" else f"{count:g}"
+
+    cells = [
+        [name, densities, ours(filter_, "densities"), products, ours(filter_, "products")]
+        for filter_, (name, densities, products) in PAPERS.items()
+    ]
+    heads = ["filter", "densities,\npaper", "densities,\ncounted", "products,\npaper"]
+    drawn, axes = style.figure(size=(6.2, 2.2))
+    axes.axis("off")
+    drawn_table = axes.table(
+        cells, colLabels=[*heads, "products,\ncounted"], loc="center", cellLoc="center"
+    )
+    drawn_table.scale(1, 1.5)
+    for column in range(5):
+        drawn_table[0, column].set_height(0.24)
+    return drawn
