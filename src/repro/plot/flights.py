@@ -9,9 +9,16 @@ from repro.results import Results
 from repro.studies import quadrotor
 
 STUDY = "quadrotor"
-SHOWN = ("ekf_no_loss", "iekf", "bkf_1", "bkf_2", "rbpf")  # the filters of Figs. 8, 9
 NAMES = {"ekf_no_loss": "EKF (no losses)", "iekf": "IEKF (losses known)"}
-IGNORING = style.COLOURS[1]
+IGNORING = "#D55E00"
+# The filters of Figs. 8, 9. Most lie on one another: dashes in turn on the IEKF's line.
+LINES = {
+    "ekf_no_loss": {"lw": 1.4},
+    "iekf": {"lw": 2.6},
+    "bkf_1": {"lw": 1.5, "ls": (0, (4, 8))},
+    "bkf_2": {"lw": 1.5, "ls": (4, (4, 8))},
+    "rbpf": {"lw": 1.5, "ls": (8, (4, 8))},
+}
 
 
 def _name(filter_: str) -> str:
@@ -19,7 +26,7 @@ def _name(filter_: str) -> str:
 
 
 def _line(results: Results, filter_: str) -> dict:
-    return {"color": style.look(results.catalogue, STUDY, filter_)["color"], "lw": 1.1}
+    return {"color": style.look(results.catalogue, STUDY, filter_)["color"]} | LINES[filter_]
 
 
 def typical_flight(results: Results, point: str, filter_: str) -> int:
@@ -37,7 +44,7 @@ def in_space(results: Results, point: str) -> Figure:
     space, above = drawn.add_subplot(1, 2, 1, projection="3d"), drawn.add_subplot(1, 2, 2)
     space.plot(*path[:, :3].T, color="black", lw=2, label="reference path")
     above.plot(*path[:, :2].T, color="black", lw=2)
-    for filter_ in SHOWN:
+    for filter_ in LINES:
         flown = results.runs(STUDY, point, filter_).recorded["position"][flight]
         look = _line(results, filter_)
         space.plot(*flown.T, label=_name(filter_), **look)
@@ -46,8 +53,10 @@ def in_space(results: Results, point: str) -> Figure:
         above.plot(*flown[-1:, :2].T, "^", color="red", ms=6, zorder=5)
     space.plot([], [], "^", color="red", label="end points")
     space.set(xlabel="X in m", ylabel="Y in m", zlabel="Z in m", zlim=(2, 4))
+    space.set(xticks=[-1, 0, 1], yticks=[0, 0.5, 1], zticks=[2, 2.5, 3, 3.5, 4])
     space.view_init(elev=28, azim=-60)
-    space.legend(fontsize=7.5, loc="upper left", bbox_to_anchor=(-0.05, 1.02))
+    space.set_box_aspect(None, zoom=0.88)
+    space.legend(fontsize=7.5, handlelength=4, loc="upper left", bbox_to_anchor=(-0.05, 1.02))
     above.set(xlabel="X in m", ylabel="Y in m", aspect="equal", title="from above")
     drawn.suptitle(f"flight {flight}, root seed {log.seed}", fontsize=10)
     return drawn
@@ -60,7 +69,7 @@ def over_time(results: Results, point: str) -> Figure:
     path = quadrotor.reference(log.parameters)
     time = np.arange(len(path)) * log.parameters["period"]
     drawn, grid = style.figure(4, 1, size=(8.0, 8.6), sharex=True)
-    for filter_ in SHOWN:
+    for filter_ in LINES:
         runs = results.runs(STUDY, point, filter_)
         look = _line(results, filter_)
         for axes, flown in zip(grid, runs.recorded["position"][flight].T, strict=False):
@@ -78,7 +87,7 @@ def over_time(results: Results, point: str) -> Figure:
         fontsize=9,
     )
     grid[0].set_title(f"flight {flight}, root seed {log.seed}", fontsize=9)
-    grid[0].legend(fontsize=7.5, ncols=2)
+    grid[0].legend(fontsize=7.5, ncols=2, handlelength=4)
     grid[3].legend(fontsize=7.5)
     return drawn
 
@@ -105,7 +114,7 @@ def ignoring_losses(results: Results, points: tuple[str, ...]) -> Figure:
             if last < len(time):
                 axes.plot(time[last - 1], values[last - 1], "x", color="red", ms=5, zorder=4)
         bound = np.median(results.runs(STUDY, point, "ekf_no_loss").recorded["distance"], axis=0)
-        axes.plot(time, bound, label="EKF (no losses), median", **_line(results, "ekf_no_loss"))
+        axes.plot(time, bound, color=style.COLOURS[0], lw=1.4, label="EKF (no losses), median")
         axes.plot([], [], color=IGNORING, lw=1.6, label=f"losses ignored, flight {typical}")
         axes.plot([], [], color="0.7", lw=0.5, label=f"losses ignored, all {len(end)} flights")
         over = quadrotor.lost(runs)
@@ -113,6 +122,8 @@ def ignoring_losses(results: Results, points: tuple[str, ...]) -> Figure:
             axes.plot([], [], "x", color="red", label=f"flight ended ({over.sum()} of {len(over)})")
         axes.set(xlabel="time in s", ylabel="distance to the reference in m", title=point)
         _expected_bias(axes, parameters)
+        if over.any():
+            axes.set(yscale="log", ylim=(0.5, None))
         axes.legend(fontsize=7.5)
     return drawn
 
