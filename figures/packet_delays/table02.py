@@ -15,7 +15,8 @@ CAPTION = (
 def draw(results):
     table = results.table("wsn_tracking")
     table = table[(table["filter"] == "emvf") & (table["metric"] == "saee")].set_index("point")
-    diff = results.diff("packet_delays").set_index("point")
+    diff = results.diff()
+    diff = diff[diff["item"].str.startswith("Table 2")].set_index("point")
     drawn, grid = style.figure(1, 3, size=(9.0, 3.6), sharey=True)
     for bound, axes in enumerate(grid):
         points = [f"n{bound}-arrival={p}" for p in (0.8, 0.85, 0.9, 0.95, 0.99)]

@@ -4,7 +4,7 @@ from repro.plot.losses import tracks
 
 NEEDS = {"points": {"radar": ["loss=0.7"]}}
 CAPTION = (
-    "Figure 5b. One run at p = 0.7, the one in which the RBPF's mean error is the median of "
+    "Figure 5b. One run at p = 0.7, the one in which the RBPF's last error is the median of "
     "all runs; the paper does not say how it chose its own."
 )
 

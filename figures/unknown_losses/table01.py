@@ -23,7 +23,9 @@ def draw(results):
 
     def ours(filter_, component):
         count = counted[filter_, component]
-        return f"{count / particles:g}N" if filter_ == "rbpf" else f"{count:g}"
+        if filter_ != "rbpf":
+            return f"{count:g}"
+        return "N" if count == particles else f"{count / particles:g}N"
 
     cells = [
         [name, densities, ours(filter_, "densities"), products, ours(filter_, "products")]

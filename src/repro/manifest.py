@@ -7,6 +7,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from repro import __version__
+from repro.errors import ReproError
 
 PACKAGES = ("snakemake", "numpy", "scipy", "pandas", "matplotlib", "mcap")
 
@@ -32,3 +33,16 @@ def write_manifest(
         "results": {name: sha256(name) for name in sorted(results)},
     }
     Path(path).write_text(json.dumps(content, indent=1) + "\n")
+
+
+def check_manifest(path: str | Path) -> None:
+    """Raise ReproError, naming them, if files are not what they were when the manifest was made."""
+    content = json.loads(Path(path).read_text())
+    changed = [
+        f"{name} ({'changed' if Path(name).exists() else 'missing'})"
+        for name, known in (content["parameters"] | content["results"]).items()
+        if not Path(name).exists() or sha256(name) != known
+    ]
+    if changed:
+        named = ", ".join(changed[:5]) + (f" and {len(changed) - 5} more" if changed[5:] else "")
+        raise ReproError(f"{path}: not as when it was made: {named}: run snakemake again")

@@ -43,6 +43,19 @@ def root_mean(per_trial: np.ndarray) -> Statistic:
     return Statistic(value, jackknife_error(left_out), *_quantiles(np.sqrt(per_trial)))
 
 
+def of_mean(per_trial: np.ndarray, function) -> Statistic:
+    """function(mean over the trials) with its jackknife standard error.
+
+    function keeps the leading axis and may reduce others: the root over runs, then a mean over k.
+    """
+    if len(per_trial) > 1:
+        mcse = jackknife_error(function(_rest(per_trial)))
+    else:
+        mcse = np.full_like(function(per_trial)[0], np.nan)
+    value = function(per_trial.mean(axis=0, keepdims=True))[0]
+    return Statistic(value, mcse, *_quantiles(function(per_trial)))
+
+
 def root_mean_over_steps(squared: np.ndarray, over_steps) -> Statistic:
     """Sum or mean (`over_steps`) of RMSE_k over the steps; squared errors are (trials, steps).
 
@@ -56,11 +69,14 @@ def root_mean_over_steps(squared: np.ndarray, over_steps) -> Statistic:
 
 def leave_one_out(per_trial: np.ndarray, function) -> np.ndarray:
     """function(mean over all trials but one), one row for each trial left out."""
-    trials = len(per_trial)
-    if trials < 2:
+    if len(per_trial) < 2:
         return np.full(per_trial.shape, np.nan)
-    rest = (per_trial.sum(axis=0) - per_trial) / (trials - 1)
-    return function(np.maximum(rest, 0.0))
+    return function(_rest(per_trial))
+
+
+def _rest(per_trial: np.ndarray) -> np.ndarray:
+    """Mean over all trials but one, of quantities that are not negative."""
+    return np.maximum((per_trial.sum(axis=0) - per_trial) / (len(per_trial) - 1), 0.0)
 
 
 def jackknife_error(left_out: np.ndarray) -> np.ndarray:

@@ -152,9 +152,22 @@ def _positive_semidefinite(validator, wanted, matrix, schema):
         )
 
 
+def _stochastic(validator, wanted, matrix, schema):
+    """Schema keyword `stochastic: true`: a square matrix whose rows sum to one."""
+    try:
+        array = np.array(matrix, dtype=float)
+    except (TypeError, ValueError):
+        return  # the type is reported by its own keyword
+    if array.ndim != 2 or array.shape[0] != array.shape[1]:
+        yield ValidationError("must be a square matrix")
+    elif not np.allclose(array.sum(axis=1), 1.0, rtol=0, atol=1e-12):
+        row = int(np.abs(array.sum(axis=1) - 1).argmax())
+        yield ValidationError(f"each row must sum to one; row {row} sums to {array[row].sum():.6g}")
+
+
 _Validator = validators.extend(
     Draft202012Validator,
-    {"covariance": _positive_semidefinite},
+    {"covariance": _positive_semidefinite, "stochastic": _stochastic},
     type_checker=Draft202012Validator.TYPE_CHECKER.redefine(
         "array", lambda checker, value: isinstance(value, list | tuple)
     ),

@@ -58,7 +58,10 @@ class Results:
         """The curves over k of a study, in long form."""
         return pd.read_csv(self.root / "curves" / f"{study}.csv")
 
-    def diff(self, paper: str) -> pd.DataFrame:
-        """The published values of a paper beside ours."""
-        rows = pd.read_csv(self.root / "diff.csv")
-        return rows[(rows["paper"] == paper) & (rows["kind"] == "value")]
+    def diff(self) -> pd.DataFrame:
+        """Published values and claims of all papers beside ours, with their verdicts."""
+        return pd.read_csv(self.root / "diff.csv")
+
+    def claims(self, paper: str) -> pd.DataFrame:
+        """Every comparison that the claims of a paper are made of."""
+        return pd.read_csv(self.root / "claims" / f"{paper}.csv")

@@ -12,6 +12,8 @@ SEARCHED = os.pathsep.join(filter(None, [str(SOURCE), os.environ.get("PYTHONPATH
 os.environ.update(PYTHONPATH=SEARCHED)
 # Jobs share the cores; threads inside a job would compete and change the rounding of sums.
 os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", MKL_NUM_THREADS="1")
+# glibc gives freed memory back at once by default; arrays of every step would cost page faults.
+os.environ.update(MALLOC_TRIM_THRESHOLD_="268435456", MALLOC_MMAP_THRESHOLD_="268435456")
 
 from repro.errors import ReproError
 from repro.params import load_paper, load_run
@@ -36,8 +38,16 @@ LOG = f"{RESULTS}/logs/{{study}}/{{point}}/{{shard}}.mcap"
 ENVIRONMENT = "../envs/repro.yaml"
 RUN_FILTER = "../scripts/run_filter.py"
 
+# Points of this name take minutes: they run only for the sensitivity table that asks for them.
+ON_REQUEST = "sensitivity-"
 # Which filters run on which points: filled by runs(), in the order of the rules.
-CATALOGUE = {study: {point: [] for point in points} for study, points in STUDIES.items()}
+CATALOGUE, REQUESTED = (
+    {
+        study: {point: [] for point in points if point.startswith(ON_REQUEST) == requested}
+        for study, points in STUDIES.items()
+    }
+    for requested in (False, True)
+)
 
 
 wildcard_constraints:
@@ -57,7 +67,7 @@ def runs(name, studies, points="*"):
                 f"known are {', '.join(CATALOGUE)}"
             )
         patterns = [points] if isinstance(points, str) else points
-        for point, filters in CATALOGUE[study].items():
+        for point, filters in {**CATALOGUE[study], **REQUESTED[study]}.items():
             if any(fnmatch.fnmatchcase(point, pattern) for pattern in patterns):
                 filters.append(name)
     return f"{RESULTS}/runs/{{study,{'|'.join(studies)}}}/{{point}}/{name}/{{shard}}.npz"
@@ -125,6 +135,17 @@ def run_files(study, points=None):
     ]
 
 
+def sensitivity_runs(study):
+    """Runs of the base point and of the points on request."""
+    points = {"base": CATALOGUE[study]["base"], **REQUESTED[study]}
+    return [
+        f"{RESULTS}/runs/{study}/{point}/{name}/{shard}.npz"
+        for point, filters in points.items()
+        for name in filters
+        for shard in SHARDS
+    ]
+
+
 def log_files(study, points=None):
     """Logs of the given (or all) points of a study that a filter runs on."""
     return [
@@ -145,9 +166,18 @@ def table_files(paper):
     return [f"{RESULTS}/tables/{table}.csv" for table in tables]
 
 
-def figure_scripts(paper):
-    """Figure scripts of a paper by name."""
-    return {path.stem: str(path) for path in sorted(Path("figures", paper).glob("*.py"))}
+def figure_files():
+    """Pictures of every figure script that is not drawn on request: the papers', the overview's."""
+    return [
+        f"{FIGURES}/{path.parent.name}/{path.stem}.png"
+        for path in sorted(Path("figures").glob("*/*.py"))
+        if not constants(str(path))["NEEDS"].get("on_request")
+    ]
+
+
+def studies_of(paper):
+    """Studies of a paper; of all papers for the overview."""
+    return PAPERS[paper].studies if paper in PAPERS else STUDIES
 
 
 def figure_inputs(wildcards):
@@ -159,12 +189,30 @@ def figure_inputs(wildcards):
     for study, points in needs.get("points", {}).items():
         files += [*log_files(study, points), *run_files(study, points)]
     files += needs.get("measured", [])
-    return files + ([f"{RESULTS}/diff.csv"] if needs.get("diff") else [])
+    if needs.get("diff"):
+        files += [f"{RESULTS}/diff.csv", *(f"{RESULTS}/claims/{paper}.csv" for paper in PAPERS)]
+    return files
 
 
 def measured_files(paper):
     """Measurements of a machine, which no rule of a rebuild makes again."""
     return sorted(str(path) for path in Path("params/measured").glob(f"{paper}*.csv"))
+
+
+def asked(key):
+    """What --config says of a log of one's own: log, study or point."""
+    if key not in RUN:
+        sys.exit(f"error: --config: '{key}' is missing; give log=PATH study=STUDY point=POINT")
+    return RUN[key]
+
+
+def asked_point():
+    """The resolved point that a log of one's own is of."""
+    study, point = asked("study"), asked("point")
+    if point not in STUDIES.get(study, {}):
+        known = ", ".join(STUDIES.get(study, STUDIES))
+        sys.exit(f"error: --config: there is no study '{study}' with a point '{point}': {known}")
+    return STUDIES[study][point]
 
 
 def commit():

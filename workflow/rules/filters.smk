@@ -206,6 +206,258 @@ rule emvf_realised:
         RUN_FILTER
 
 
+rule mapf:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.mapf"),
+    output:
+        runs("mapf", studies=["deadband", "saturation"]),
+    log:
+        logfile("mapf"),
+    benchmark:
+        timing("mapf")
+    conda:
+        ENVIRONMENT
+    params:
+        name="mapf",
+        settings=settings("mapf"),
+    script:
+        RUN_FILTER
+
+
+rule mapf_nc:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.mapf_nc"),
+    output:
+        runs("mapf_nc", studies=["deadband", "saturation"]),
+    log:
+        logfile("mapf_nc"),
+    benchmark:
+        timing("mapf_nc")
+    conda:
+        ENVIRONMENT
+    params:
+        name="mapf_nc",
+        settings=settings("mapf_nc"),
+    script:
+        RUN_FILTER
+
+
+rule mapf_nmc:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.mapf_nmc"),
+    output:
+        runs("mapf_nmc", studies=["deadband", "saturation"]),
+    log:
+        logfile("mapf_nmc"),
+    benchmark:
+        timing("mapf_nmc")
+    conda:
+        ENVIRONMENT
+    params:
+        name="mapf_nmc",
+        settings=settings("mapf_nmc"),
+    script:
+        RUN_FILTER
+
+
+rule mpf:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.mpf"),
+    output:
+        runs("mpf", studies=["deadband", "saturation"]),
+    log:
+        logfile("mpf"),
+    benchmark:
+        timing("mpf")
+    conda:
+        ENVIRONMENT
+    params:
+        name="mpf",
+        settings=settings("mpf"),
+    script:
+        RUN_FILTER
+
+
+rule dead_reckoning:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.dead_reckoning"),
+    output:
+        runs("dead_reckoning", studies=["deadband", "saturation"]),
+    log:
+        logfile("dead_reckoning"),
+    benchmark:
+        timing("dead_reckoning")
+    conda:
+        ENVIRONMENT
+    params:
+        name="dead_reckoning",
+        settings=settings("dead_reckoning"),
+    script:
+        RUN_FILTER
+
+
+rule pf_ross_eh:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.pf_ross_eh"),
+    output:
+        runs("pf_ross_eh", studies=["ungm", "rss_2d", "rss_3d"]),
+    log:
+        logfile("pf_ross_eh"),
+    benchmark:
+        timing("pf_ross_eh")
+    conda:
+        ENVIRONMENT
+    params:
+        name="pf_ross_eh",
+        settings=settings("pf_ross_eh"),
+    script:
+        RUN_FILTER
+
+
+rule pf_ross:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.pf_ross"),
+    output:
+        runs(
+            "pf_ross",
+            studies=["ungm", "rss_2d", "rss_3d"],
+            points=["base", "reading-layout=*", "reading-weights=*"],
+        ),
+    log:
+        logfile("pf_ross"),
+    benchmark:
+        timing("pf_ross")
+    conda:
+        ENVIRONMENT
+    params:
+        name="pf_ross",
+        settings=settings("pf_ross"),
+    script:
+        RUN_FILTER
+
+
+rule pf_eh:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.pf_eh"),
+    output:
+        runs(
+            "pf_eh",
+            studies=["ungm", "rss_2d", "rss_3d"],
+            points=["base", "reading-layout=*", "reading-weights=*"],
+        ),
+    log:
+        logfile("pf_eh"),
+    benchmark:
+        timing("pf_eh")
+    conda:
+        ENVIRONMENT
+    params:
+        name="pf_eh",
+        settings=settings("pf_eh"),
+    script:
+        RUN_FILTER
+
+
+rule spf:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.spf"),
+    output:
+        runs(
+            "spf",
+            studies=["ungm", "rss_2d", "rss_3d"],
+            points=["base", "reading-layout=*", "reading-weights=*"],
+        ),
+    log:
+        logfile("spf"),
+    benchmark:
+        timing("spf")
+    conda:
+        ENVIRONMENT
+    params:
+        name="spf",
+        settings=settings("spf"),
+    script:
+        RUN_FILTER
+
+
+rule spf_im:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.spf_im"),
+    output:
+        runs(
+            "spf_im",
+            studies=["ungm", "rss_2d", "rss_3d"],
+            points=["base", "reading-layout=*", "reading-weights=*"],
+        ),
+    log:
+        logfile("spf_im"),
+    benchmark:
+        timing("spf_im")
+    conda:
+        ENVIRONMENT
+    params:
+        name="spf_im",
+        settings=settings("spf_im"),
+    script:
+        RUN_FILTER
+
+
+rule pf_ross_eh_exact:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.pf_ross_eh_exact"),
+    output:
+        runs(
+            "pf_ross_eh_exact",
+            studies=["ungm"],
+            points=["base", "reading-harvest=*"],
+        ),
+    log:
+        logfile("pf_ross_eh_exact"),
+    benchmark:
+        timing("pf_ross_eh_exact")
+    conda:
+        ENVIRONMENT
+    params:
+        name="pf_ross_eh_exact",
+        settings=settings("pf_ross_eh_exact"),
+    script:
+        RUN_FILTER
+
+
+rule pf_ross_eh_joint:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.pf_ross_eh_joint"),
+    output:
+        runs(
+            "pf_ross_eh_joint",
+            studies=["ungm"],
+            points=["base", "reading-harvest=*"],
+        ),
+    log:
+        logfile("pf_ross_eh_joint"),
+    benchmark:
+        timing("pf_ross_eh_joint")
+    conda:
+        ENVIRONMENT
+    params:
+        name="pf_ross_eh_joint",
+        settings=settings("pf_ross_eh_joint"),
+    script:
+        RUN_FILTER
+
+
 rule bkf_1:
     input:
         log=LOG,

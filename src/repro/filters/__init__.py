@@ -1,7 +1,8 @@
 """The filters: one file each, named as in its paper; kernels shared by several begin with _.
 
 A filter module gives LABEL (its name in tables and figures), SEES (the channels it may see) and
-`build(model, settings) -> Filter`. It is batched: every array has a leading axis of trials.
+`build(model, settings) -> Filter`. It is batched: every array has a leading axis of trials. It may
+give STREAM, the name of its random streams (default: its own); filters that share one are paired.
 """
 
 from collections.abc import Callable

@@ -33,13 +33,19 @@ class Log(NamedTuple):
     fields: dict[str, tuple[str, ...]]  # of each topic
     values: dict[str, np.ndarray]
 
+    @property
+    def steps(self) -> int:
+        """Messages that a trial has in the topics of every step."""
+        return max(values.shape[1] for values in self.values.values())
+
     def field(self, topic: str, name: str) -> np.ndarray:
         """One field of a topic, (trials, messages a trial)."""
         return self.values[topic][:, :, self.fields[topic].index(name)]
 
 
 def schema_name(study: str, topic: str) -> str:
-    camel = "".join(part.capitalize() for part in f"{study}_{topic.strip('/')}".split("_"))
+    words = f"{study}_{topic}".replace("/", "_").split("_")
+    camel = "".join(word.capitalize() for word in words)
     return f"repro_msgs/msg/{camel}"
 
 

@@ -25,8 +25,13 @@ from repro.logs.format import (
 TRIALS_A_BLOCK = 50  # topics alternate in blocks of trials, so that a player finds them together
 
 
-def write_log(path: str | Path, log: Log, period: float) -> None:
-    """Write `log`, `period` seconds of log clock a step; the file appears whole or not at all."""
+def write_log(
+    path: str | Path, log: Log, period: float, attachments: dict[str, bytes] | None = None
+) -> None:
+    """Write `log`, `period` seconds of log clock a step; the file appears whole or not at all.
+
+    `attachments` are JSON texts by name, beside the parameters.
+    """
     part = Path(f"{path}.part")
     with part.open("wb") as stream:
         container = Container(stream, PROFILE, f"repro {__version__}")
@@ -42,7 +47,9 @@ def write_log(path: str | Path, log: Log, period: float) -> None:
             },
         )
         parameters = json.dumps(log.parameters, sort_keys=True, indent=1)
-        container.add_attachment(PARAMETERS, "application/json", parameters.encode())
+        texts = {PARAMETERS: parameters.encode()} | (attachments or {})
+        for name, text in texts.items():
+            container.add_attachment(name, "application/json", text)
         _write_messages(container, log, round(period * 1e9))
         container.finish()
     part.replace(path)
@@ -55,11 +62,12 @@ def _write_messages(container: Container, log: Log, period_ns: int) -> None:
         )
         for topic, fields in log.fields.items()
     }
-    steps = max(values.shape[1] for values in log.values.values())
     for first in range(0, len(log.trials), TRIALS_A_BLOCK):
         block = slice(first, first + TRIALS_A_BLOCK)
         for topic, values in log.values.items():
-            records = _records(channels[topic], log.trials[block], values[block], steps, period_ns)
+            records = _records(
+                channels[topic], log.trials[block], values[block], log.steps, period_ns
+            )
             container.add_chunk(channels[topic], records)
 
 

@@ -100,18 +100,20 @@ def _over_time(
         time = rows["k"] * PERIOD
         name = RADAR.get(filter_, style.label(filter_))
         axes.plot(time, rows["value"], ls=line, lw=1.4, label=name, **look)
-        low = (rows["value"] - BAND * rows["mcse"]).clip(lower=0.3)
-        high = rows["value"] + BAND * rows["mcse"]
+        # The error of the logarithm, for a logarithmic axis.
+        factor = np.exp(BAND * rows["mcse"] / rows["value"])
+        low, high = rows["value"] / factor, rows["value"] * factor
         axes.fill_between(time, low, high, color=look["color"], alpha=0.12, lw=0)
         if median:
             axes.plot(time, rows["median"], ls=":", lw=1.1, color=look["color"])
     axes.set(yscale="log", xlabel="time in s", ylabel="position RMSE in m")
+    axes.label_outer()
 
 
 def error_over_time(results: Results, losses: tuple[float, ...]) -> Figure:
     """Fig. 3: one panel a loss probability, with the medians of the single runs."""
     curves = results.curves("radar")
-    drawn, grid = style.figure(2, 2, size=(8.6, 6.6), sharex=True)
+    drawn, grid = style.figure(2, 2, size=(8.6, 6.6), sharex=True, sharey=True)
     for axes, p in zip(grid.flat, losses, strict=True):
         _over_time(axes, results, curves, p, "-", median=True)
         axes.set_title(f"p = {p}")
@@ -135,8 +137,8 @@ def error_over_time_together(results: Results, losses: tuple[float, ...]) -> Fig
 
 
 def typical_trial(results: Results, point: str) -> int:
-    """The run in which the RBPF's mean error is the median of all runs."""
-    error = np.sqrt(radar.squared_error(results.runs("radar", point, "rbpf"))).mean(axis=1)
+    """The run in which the RBPF's last error is the median of all runs."""
+    error = radar.final_error(results.runs("radar", point, "rbpf"))
     return int(np.argsort(error, kind="stable")[len(error) // 2])
 
 
@@ -150,14 +152,14 @@ def tracks(results: Results, point: str) -> Figure:
     plane.plot(truth[:, 0], truth[:, 3], color="black", lw=2.2, label="true", zorder=3)
     time = np.arange(1, len(truth)) * PERIOD
     ends = []
-    for filter_ in SHOWN:
+    for filter_, width in zip(SHOWN, (3.4, 2.6, 1.8, 1.0), strict=True):  # equal ones stay visible
         runs = results.runs("radar", point, filter_)
         look = style.look(results.catalogue, "radar", filter_)
         estimate = truth + runs.error[trial]
         name = RADAR.get(filter_, style.label(filter_))
-        plane.plot(estimate[:, 0], estimate[:, 3], lw=1.1, ms=3, markevery=10, label=name, **look)
+        plane.plot(estimate[:, 0], estimate[:, 3], lw=width, ms=3, markevery=10, label=name, **look)
         error = np.sqrt(radar.squared_error(runs))
-        axes.plot(time, error[trial], color=look["color"], lw=1.2)
+        axes.plot(time, error[trial], color=look["color"], lw=width)
         axes.plot(time, np.median(error, axis=0), color=look["color"], lw=1.0, ls=":")
         ends.append(f"{name.split(' (')[0]} {radar.lost(runs).mean():.0%}")
     plane.plot(0, 0, "^", color="0.4", label="radar")
@@ -166,7 +168,6 @@ def tracks(results: Results, point: str) -> Figure:
     plane.set_adjustable("datalim")
     plane.set_title(f"{point}, run {trial}, root seed {log.seed}", fontsize=9)
     plane.legend(fontsize=7.5)
-    axes.plot(time, np.where(received[1:] == 0, axes.get_ylim()[0], np.nan), "")
     axes.set(yscale="log", xlabel="time in s", ylabel="position error in m")
     axes.plot([], [], color="0.4", lw=1.2, label="this run")
     axes.plot([], [], color="0.4", lw=1.0, ls=":", label="median of all runs")

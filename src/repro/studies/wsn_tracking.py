@@ -8,6 +8,7 @@ from repro.network import packet_delays
 from repro.network.tasking import ScheduledRanges
 
 STATE = ("px", "py", "vx", "vy", "omega")
+TRAJECTORY = (("px", "py"),)
 LOST_ABOVE = 10.0  # m: a run whose error exceeds it has lost the target
 
 

@@ -1,0 +1,141 @@
+"""CPU time of PF-ROSS-EH a particle and step, and on `ungm` beside the library `particles`.
+
+    PYTHONPATH=src python benchmarks/ungm.py
+
+Needs the benchmark extra: numba, scikit-learn, joblib and particles 0.4, the last with
+`pip install --no-deps`, since it asks for NumPy 1 (and works with NumPy 2). Both run the bootstrap
+filter with systematic resampling at every step and the likelihood (27) on the same data.
+"""
+
+import os
+import sys
+
+SETTINGS = {  # as the workflow sets them for its jobs
+    "OPENBLAS_NUM_THREADS": "1",
+    "MALLOC_TRIM_THRESHOLD_": "268435456",
+    "MALLOC_MMAP_THRESHOLD_": "268435456",
+}
+if __name__ == "__main__" and any(os.environ.get(name) != SETTINGS[name] for name in SETTINGS):
+    os.execve(sys.executable, [sys.executable, *sys.argv], os.environ | SETTINGS)
+
+from pathlib import Path  # noqa: E402
+from time import process_time  # noqa: E402
+
+import numpy as np  # noqa: E402
+
+from repro.logs import Log  # noqa: E402
+from repro.models import ungm  # noqa: E402
+from repro.network.energy_harvesting import transmission_probability  # noqa: E402
+from repro.params import load_paper  # noqa: E402
+from repro.run import run  # noqa: E402
+from repro.simulate import simulated  # noqa: E402
+from repro.studies import study_module  # noqa: E402
+
+ROOT = Path(__file__).parent.parent
+LIMITS = {"ungm": 40.0, "rss_2d": 110.0}  # ns
+TRIALS = {"ungm": 1000, "rss_2d": 100}
+AT_LEAST = 3.0  # times faster than the library
+
+
+def timed(work, *arguments) -> tuple[float, object]:
+    """The shortest CPU time of five, in seconds, and what came out."""
+    times = []
+    for _ in range(5):
+        start = process_time()
+        found = work(*arguments)
+        times.append(process_time() - start)
+    return min(times), found
+
+
+def librarys(log: Log, particles: int, trials: int) -> np.ndarray:
+    """Estimates (trials, steps) of the library `particles`."""
+    import particles as library
+    from particles import distributions as dists
+    from particles import state_space_models as ssm
+    from particles.collectors import Moments
+
+    parameters = log.parameters
+    model = study_module("ungm").model(parameters)
+    transmission = transmission_probability(model.energy, model.steps, "lemma1")
+
+    class Moved(dists.ProbDist):
+        def __init__(self, x, t):
+            self.x, self.t = x, t
+
+        def rvs(self, size=None):
+            w = np.random.gamma(2.0, parameters["process_noise_scale"], size)  # noqa: NPY002
+            return ungm.transition(self.x, self.t) + w
+
+    class Received(dists.ProbDist):
+        def __init__(self, x, t):
+            self.x, self.t = x[None], t
+
+        def logpdf(self, z):
+            total = 0.0
+            for i, offset in enumerate(parameters["sensor_offsets"]):
+                level = ungm.level(self.x, offset)
+                total = total + model.noise.log_likelihood(
+                    z[i : i + 1], level, i, model.saturation, transmission[self.t + 1]
+                )
+            return total[0]
+
+    class Scalar(ssm.StateSpaceModel):
+        def PX0(self):  # the library has no step before its first measurement
+            x0 = np.random.normal(  # noqa: NPY002
+                parameters["prior_mean"], np.sqrt(parameters["prior_variance"]), particles
+            )
+            return Moved(x0, 0)
+
+        def PX(self, t, xp):
+            return Moved(xp, t)
+
+        def PY(self, t, xp, x):
+            return Received(x, t)
+
+    estimates = []
+    for received in log.values["/received"][:trials, 1:]:
+        algorithm = library.SMC(
+            fk=ssm.Bootstrap(ssm=Scalar(), data=list(received)),
+            N=particles,
+            resampling="systematic",
+            ESSrmin=1.0,
+            collect=[Moments()],
+        )
+        algorithm.run()
+        estimates.append([moments["mean"] for moments in algorithm.summaries.moments])
+    return np.array(estimates)
+
+
+def main() -> bool:
+    paper = load_paper(ROOT / "params" / "energy_harvesting.yaml", ROOT / "workflow" / "schemas")
+    fast, took = True, {}
+    for study, limit in LIMITS.items():
+        base, trials = paper.studies[study]["base"], TRIALS[study]
+        log = simulated(study, "base", base.parameters, 1, np.arange(trials))
+        settings = base.filters["pf_ross_eh"]
+        seconds, (estimate, _) = timed(run, log, "pf_ross_eh", settings)
+        each = trials * base.parameters["steps"] * settings["particles"] / 1e9
+        took[study] = (seconds / each, log, estimate)
+        print(f"{study}: {seconds / each:.0f} ns a particle and step; at most {limit:.0f}")
+        fast &= seconds <= limit * each
+    ours, log, estimate = took["ungm"]
+    particles = paper.studies["ungm"]["base"].filters["pf_ross_eh"]["particles"]
+    trials = 50
+    try:
+        librarys(log, particles, 1)  # compiles
+    except ImportError as error:
+        print(f"  the library is not installed ({error})")
+        return False
+    seconds, theirs = timed(librarys, log, particles, trials)
+    each = trials * log.parameters["steps"] * particles / 1e9
+    print(f"  particles: {seconds / each:.0f} ns, {seconds / each / ours:.1f} times as much")
+    errors = [
+        np.sqrt(((x - log.values["/truth"][:trials, 1:, 0]) ** 2).mean())
+        for x in (estimate[:trials, 1:, 0], theirs)
+    ]
+    print(f"  rms error of x over {trials} runs: {errors[0]:.2f} here, {errors[1]:.2f} there")
+    return fast and seconds / each >= AT_LEAST * ours
+
+
+if __name__ == "__main__":
+    sys.exit(0 if main() else 1)

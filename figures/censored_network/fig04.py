@@ -1,0 +1,14 @@
+"""Figure 4: true and estimated track of target 3, dead-band censoring."""
+
+from repro.plot.censored_network import track
+
+NEEDS = {"points": {"deadband": ["base"]}}
+CAPTION = (
+    "Figure 4. True and estimated track of target 3, dead-band censoring, first run. The "
+    "sensors are the fitted layout, not the paper's; dead reckoning, which the paper lacks, "
+    "sees no measurement."
+)
+
+
+def draw(results):
+    return track(results, "deadband", target=3, trial=0)

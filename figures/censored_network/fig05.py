@@ -1,0 +1,14 @@
+"""Figure 5: what the filter of target 1 receives first, dead-band censoring."""
+
+from repro.plot.censored_network import first_component
+
+NEEDS = {"points": {"deadband": ["base"]}}
+CAPTION = (
+    "Figure 5. First component of what the filter of target 1 receives, dead-band censoring, "
+    "first run: which group of sensors transmits, and the censored value. The filter is not "
+    "told the group."
+)
+
+
+def draw(results):
+    return first_component(results, "deadband", trial=0)

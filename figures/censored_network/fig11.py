@@ -1,0 +1,14 @@
+"""Figure 11: true and estimated track of target 3, saturation censoring."""
+
+from repro.plot.censored_network import track
+
+NEEDS = {"points": {"saturation": ["base"]}}
+CAPTION = (
+    "Figure 11. True and estimated track of target 3, saturation censoring, first run. The "
+    "sensors are the fitted layout, not the paper's; dead reckoning, which the paper lacks, "
+    "sees no measurement."
+)
+
+
+def draw(results):
+    return track(results, "saturation", target=3, trial=0)

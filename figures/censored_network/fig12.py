@@ -1,0 +1,14 @@
+"""Figure 12: what the filter of target 1 receives first, saturation censoring."""
+
+from repro.plot.censored_network import first_component
+
+NEEDS = {"points": {"saturation": ["base"]}}
+CAPTION = (
+    "Figure 12. First component of what the filter of target 1 receives, saturation "
+    "censoring, first run: which group of sensors transmits, and the censored value. The "
+    "filter is not told the group."
+)
+
+
+def draw(results):
+    return first_component(results, "saturation", trial=0)

@@ -1,0 +1,13 @@
+"""Figure 6: position RMSE in the plane."""
+
+from repro.plot.energy_harvesting import rmse_figure
+
+NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["base"]}}
+CAPTION = (
+    "Figure 6. RMSE of the position in the plane, all filters; in grey the prediction "
+    "from x(0) without any data. The paper prints no number."
+)
+
+
+def draw(results):
+    return rmse_figure(results, "rss_2d", "position")

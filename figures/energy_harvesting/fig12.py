@@ -1,0 +1,13 @@
+"""Figure 12: position RMSE in space."""
+
+from repro.plot.energy_harvesting import rmse_figure
+
+NEEDS = {"tables": ["rss_3d"], "points": {"rss_3d": ["base"]}}
+CAPTION = (
+    "Figure 12. RMSE of the position in space, all filters; in grey the prediction "
+    "from x(0) without any data. The paper prints no number."
+)
+
+
+def draw(results):
+    return rmse_figure(results, "rss_3d", "position")

@@ -1,0 +1,32 @@
+"""The transmission probability by Lemma 1, by the exact chain, and as simulated."""
+
+from repro.plot import style
+from repro.plot.energy_harvesting import transmission
+
+NEEDS = {
+    "points": {"rss_2d": ["base", "harvest=pi_2"], "ungm": ["reading-harvest=identity"]},
+}
+CAPTION = (
+    "Transmission probability over k by Lemma 1, by the exact chain of (E, H), and as simulated, "
+    "with two standard errors. Lemma 1 takes E(k-1) and H(k) for independent, which they are only "
+    "if the rows of the harvest's matrix are alike."
+)
+LAST = 30
+
+
+def draw(results):
+    drawn, grid = style.figure(1, 3, size=(10.2, 3.9))
+    for axes, (study, point, title) in zip(
+        grid,
+        (
+            ("rss_2d", "base", r"$\Pi_1$"),
+            ("rss_2d", "harvest=pi_2", r"$\Pi_2$"),
+            ("ungm", "reading-harvest=identity", r"$\Pi = I$ (Remark 3)"),
+        ),
+        strict=True,
+    ):
+        transmission(axes, results, study, point, LAST)
+        axes.set(title=title, xlabel="k")
+    grid[0].set_ylabel(r"$\lambda_k$, probability to transmit")
+    grid[0].legend(fontsize=8)
+    return drawn

@@ -1,0 +1,11 @@
+"""Dead reckoning: the particles of the MAPF without any measurement; not in the paper."""
+
+from repro.filters import Filter, _protocol_particles
+from repro.models.coupled_targets import CoupledTargets
+
+LABEL = "dead reckoning"
+SEES = ()
+
+
+def build(model: CoupledTargets, settings: dict) -> Filter:
+    return _protocol_particles.dead_reckoning(model, settings)

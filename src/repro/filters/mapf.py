@@ -1,0 +1,11 @@
+"""Modified auxiliary particle filter (Song et al., Algorithm 1)."""
+
+from repro.filters import Filter, _protocol_particles
+from repro.models.coupled_targets import CoupledTargets
+
+LABEL = "MAPF"
+SEES = ("received", "code", "group_probability")
+
+
+def build(model: CoupledTargets, settings: dict) -> Filter:
+    return _protocol_particles.auxiliary(model, settings)

@@ -1,0 +1,11 @@
+"""MAPF that ignores the coupling of the targets when it draws particles."""
+
+from repro.filters import Filter, _protocol_particles
+from repro.models.coupled_targets import CoupledTargets
+
+LABEL = "MAPF-NC"
+SEES = ("received", "code", "group_probability")
+
+
+def build(model: CoupledTargets, settings: dict) -> Filter:
+    return _protocol_particles.auxiliary(model, settings, coupled=False)

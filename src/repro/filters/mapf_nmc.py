@@ -1,0 +1,11 @@
+"""MAPF that takes censored values at face value."""
+
+from repro.filters import Filter, _protocol_particles
+from repro.models.coupled_targets import CoupledTargets
+
+LABEL = "MAPF-NMC"
+SEES = ("received", "group_probability")
+
+
+def build(model: CoupledTargets, settings: dict) -> Filter:
+    return _protocol_particles.auxiliary(model, settings, compensated=False)

@@ -1,0 +1,11 @@
+"""Modified particle filter: draws and likelihood of the MAPF, sequential importance resampling."""
+
+from repro.filters import Filter, _protocol_particles
+from repro.models.coupled_targets import CoupledTargets
+
+LABEL = "MPF"
+SEES = ("received", "code", "group_probability")
+
+
+def build(model: CoupledTargets, settings: dict) -> Filter:
+    return _protocol_particles.bootstrap(model, settings)

@@ -1,0 +1,35 @@
+"""Univariate nonstationary growth model with Gamma noise (Song et al., (29))."""
+
+import numpy as np
+
+from repro.streams import Streams
+
+
+def transition(x: np.ndarray, k: int) -> np.ndarray:
+    """f_k(x) of (29), any shape; k is the step that x belongs to."""
+    following = x * x
+    following += 1.0
+    np.divide(25.0, following, out=following)
+    following += 0.5
+    following *= x
+    following += 8.0 * np.cos(1.2 * k)
+    return following
+
+
+def gamma_noise(streams: Streams, scale: float, *shape: int) -> np.ndarray:
+    """Gamma noise of shape two, (trials, *shape): the sum of two exponentials by inversion."""
+    drawn = streams.uniform(2, *shape)
+    np.subtract(1.0, drawn, out=drawn)  # in (0, 1], so that the logarithm is finite
+    noise = drawn[:, 0]
+    noise *= drawn[:, 1]
+    np.log(noise, out=noise)
+    noise *= -scale
+    return noise
+
+
+def level(x: np.ndarray, offset: float) -> np.ndarray:
+    """h^i(x) of (29), any shape."""
+    squared = x - offset
+    squared *= squared
+    squared *= 1 / 20
+    return squared

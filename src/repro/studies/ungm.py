@@ -1,0 +1,75 @@
+"""The scalar example with Gamma and exponential noises (Song et al., Sec. IV-A; Figure 2)."""
+
+import numpy as np
+
+from repro.models import ungm
+from repro.models.sensor_network import ExponentialNoise, SensorNetwork
+from repro.studies import _energy_harvesting
+from repro.studies._energy_harvesting import channels, error
+
+__all__ = ["channels", "error"]
+
+COMPONENTS = {"state": (0,)}
+TRIALS_A_BLOCK = 125
+
+
+def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
+    return _energy_harvesting.topics(("x",), len(parameters["sensor_offsets"]))
+
+
+def period(parameters: dict) -> float:
+    return 1.0  # the paper gives its example no unit of time
+
+
+def noise(parameters: dict) -> ExponentialNoise:
+    return ExponentialNoise(parameters["noise_mean"], len(parameters["sensor_offsets"]))
+
+
+def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
+    steps, offsets = parameters["steps"], parameters["sensor_offsets"]
+    w = ungm.gamma_noise(streams("process"), parameters["process_noise_scale"], steps)
+    truth = np.empty((len(w), steps + 1))
+    truth[:, 0] = parameters["true_initial_state"]
+    for k in range(steps):
+        truth[:, k + 1] = ungm.transition(truth[:, k], k) + w[:, k]  # (1)
+    levels = np.stack([ungm.level(truth, offset) for offset in offsets], axis=1)
+    return _energy_harvesting.measured(
+        truth[:, :, None], levels, parameters, noise(parameters), streams
+    )
+
+
+def model(parameters: dict) -> SensorNetwork:
+    offsets, mean = parameters["sensor_offsets"], parameters["prior_mean"]
+    deviation = np.sqrt(parameters["prior_variance"])
+
+    def draw_prior(streams, particles):
+        return mean + deviation * streams.standard_normal(1, particles)
+
+    def move(x, k, streams):
+        following = ungm.transition(x, k - 1)
+        following += ungm.gamma_noise(streams, parameters["process_noise_scale"], *x.shape[1:])
+        return following
+
+    return SensorNetwork(
+        initial_mean=np.array([mean]),
+        sensors=len(offsets),
+        steps=parameters["steps"],
+        draw_prior=draw_prior,
+        move=move,
+        level=lambda x, i: ungm.level(x[:, 0], offsets[i]),
+        noise=noise(parameters),
+        saturation=_energy_harvesting.saturation_of(parameters),
+        energy=_energy_harvesting.queue(parameters),
+    )
+
+
+def lost(runs):
+    return None  # the plant forgets where it was within a few steps
+
+
+def rows(runs):
+    return _energy_harvesting.rmse_rows(runs, COMPONENTS, None)
+
+
+def curves(runs):
+    return _energy_harvesting.rmse_curves(runs, COMPONENTS)

@@ -1,0 +1,114 @@
+"""Dead band, saturation, random access, signal strength and the simulator of the three targets."""
+
+import numpy as np
+import pytest
+
+from repro.models.coupled_targets import SignalStrength, drift, log_squared_distance
+from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
+from repro.network.random_access import transmitted, transmitting_group
+from repro.studies import _censored_network as study
+from tests.conftest import points, small_log
+
+IDEAL = np.array([-11.0, -10.0, -9.99, 0.0, 9.99, 10.0, 11.0])
+
+
+def test_dead_band_passes_its_boundaries():
+    values, codes = censored(IDEAL, Censoring("dead band", -10.0, 10.0, 0.5))
+    np.testing.assert_array_equal(values, [-11, -10, 0.5, 0.5, 0.5, 10, 11])
+    np.testing.assert_array_equal(codes, [EXACT, EXACT, INSIDE, INSIDE, INSIDE, EXACT, EXACT])
+
+
+def test_saturation_censors_its_boundaries():
+    values, codes = censored(IDEAL, Censoring("saturation", -10.0, 10.0, 0.0))
+    np.testing.assert_array_equal(values, [-10, -10, -9.99, 0, 9.99, 10, 10])
+    np.testing.assert_array_equal(codes, [BELOW, BELOW, EXACT, EXACT, EXACT, ABOVE, ABOVE])
+
+
+def test_group_transmits_its_own_readings():
+    group = transmitting_group(np.array([0.0, 0.19, 0.2, 0.99]), [0.2, 0.8])
+    np.testing.assert_array_equal(group, [0, 0, 1, 1])
+    readings = np.arange(24).reshape(4, 2, 3)
+    np.testing.assert_array_equal(transmitted(readings, group)[[0, 3]], [[0, 1, 2], [21, 22, 23]])
+
+
+@pytest.mark.parametrize(("distance", "strength"), [(1.0, 10.0), (10.0, -10.0), (100.0, -30.0)])
+def test_signal_strength_at_known_distances(distance, strength):
+    a, b = SignalStrength(10.0, 2.0, 1.0).of_log_squared_distance()
+    x = np.array([3.0 + distance, 4.0, 0.0])[:, None]
+    log_d2 = log_squared_distance(x, np.array([[3.0, 4.0]]))[0, 0]
+    assert a + b * log_d2 == pytest.approx(strength, abs=1e-12)
+
+
+def test_strength_is_finite_on_a_sensor():
+    assert np.isfinite(log_squared_distance(np.zeros((3, 1)), np.zeros((1, 2)))).all()
+
+
+def test_drift_is_speed_along_the_heading():
+    rng = np.random.default_rng(0)
+    x = rng.normal(scale=[[5.0], [5.0], [20.0]], size=(3, 3, 50))
+    speed = np.array([0.5, 1.0, 2.0])
+    wanted = x + np.stack(
+        [speed[:, None] * np.cos(x[:, 2]), speed[:, None] * np.sin(x[:, 2]), np.full((3, 50), 0.1)],
+        axis=1,
+    )
+    np.testing.assert_allclose(drift(x, speed, 0.1), wanted, rtol=0, atol=1e-13)
+    half_turn = drift(np.array([[0.0], [0.0], [np.pi]])[None], np.ones(1), 0.0)
+    np.testing.assert_allclose(half_turn[0, :, 0], [-1, 0, np.pi], atol=1e-15)
+
+
+@pytest.fixture(scope="module")
+def log():
+    return small_log("deadband", "base", trials=400, steps=80)
+
+
+def test_simulated_rates_and_noise(log):
+    count = 400 * 80 * 3
+    network = log.values["/network"][:, 1:]
+    for share, p in ((network[..., :3] == 1, 0.2), (network[..., 3:], 0.2)):
+        assert share.mean() == pytest.approx(p, abs=4 * np.sqrt(p * (1 - p) / count))
+    truth = log.values["/truth"].reshape(400, 81, 3, 3)
+    offset = truth[:, :, :, None, :2] - study.sensors(log.parameters).reshape(6, 2)
+    ideal = log.values["/sensor"].reshape(400, 81, 3, 6)
+    noise = ideal - (10 - 10 * np.log10((offset**2).sum(axis=-1)))
+    assert noise.mean() == pytest.approx(0, abs=0.03)
+    assert noise.var() == pytest.approx(0.8 * 1 + 0.2 * 36, abs=0.15)  # fourth moment 780
+
+
+def test_simulated_motion(log):
+    truth = log.values["/truth"].reshape(400, 81, 3, 3)
+    on = log.values["/network"][:, :-1, 3:].astype(bool)
+    v, turn = np.array(log.parameters["speed"]), log.parameters["turn_rate"]
+    x = truth[:, :-1]
+    step = truth[:, 1:] - x
+    step[..., 0] -= v * np.cos(x[..., 2])
+    step[..., 1] -= v * np.sin(x[..., 2])
+    step[..., 2] -= turn
+    others = np.sin(x).sum(axis=2, keepdims=True) - np.sin(x)
+    noise = step - 0.01 * on[..., None] * others
+    np.testing.assert_allclose(noise.std(axis=(0, 1, 2)), [0.03, 0.03, 0.01], rtol=0.02)
+    assert np.abs(noise.mean(axis=(0, 1))).max() < 0.03 * 4.5 / np.sqrt(400 * 80)
+    # alphabar c (sin phi_a + sin phi_b): the heading drift that a filter without coupling lacks
+    drift = (step[..., 2]).mean(axis=(0, 1))
+    np.testing.assert_allclose(drift, (0.2 * 0.01 * others[..., 2]).mean(axis=(0, 1)), atol=3e-4)
+    assert (drift > 0.0005).all() and (drift < 0.004).all()
+
+
+def test_truth_starts_on_the_stated_states(log):
+    np.testing.assert_array_equal(
+        log.values["/truth"][:, 0], np.tile(np.ravel(log.parameters["initial_states"]), (400, 1))
+    )
+
+
+def test_group_is_not_told(log):
+    offered = study.channels(log, slice(0, 5), log.parameters).at(3, None)
+    assert set(offered) == {"received", "code", "group_probability"}
+    assert (offered["group_probability"] == [0.2, 0.8]).all()
+    told = study.channels(log, slice(0, 5), log.parameters | {"group_known": True}).at(3, None)
+    group = log.values["/network"][:5, 3, :3].astype(int) - 1
+    np.testing.assert_array_equal(told["group_probability"].argmax(axis=-1), group)
+
+
+def test_both_studies_share_truth_settings():
+    first, second = (points()[name]["base"].parameters for name in ("deadband", "saturation"))
+    differ = {key for key in first if first[key] != second[key]}
+    assert differ == {"censoring", "lower_threshold", "upper_threshold"}

@@ -1,0 +1,53 @@
+"""The sensitivity table of the censored network, from runs whose order is known."""
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from repro import metrics, sensitivity
+from repro.results import Results
+from repro.studies import _censored_network as study
+
+SCALE = {"mapf": 1.0, "mpf": 1.0, "mapf_nc": 2.0, "mapf_nmc": 1.5, "dead_reckoning": 3.0}
+
+
+@pytest.fixture
+def results(tmp_path):
+    rng = np.random.default_rng(0)
+    for point in ("base", "sensitivity-speed=2"):
+        for filter_, scale in SCALE.items():
+            folder = tmp_path / "runs" / "deadband" / point / filter_
+            folder.mkdir(parents=True)
+            error = scale * rng.standard_normal((40, 61, 9))
+            np.savez(folder / "0.npz", error=error, degenerate=np.zeros(40))
+    catalogue = {"deadband": {"base": [*SCALE], "sensitivity-speed=2": [*SCALE]}}
+    return Results(tmp_path, catalogue, 1)
+
+
+def test_orders_are_decided_on_paired_runs(results, tmp_path):
+    sensitivity.tabulate(results, "deadband", "sensitivity-", 3.0, tmp_path / "table.csv")
+    table = pd.read_csv(tmp_path / "table.csv")
+    assert {"base", "speed=2", "horizon=50", "average_from=0"} <= set(table["reading"])
+    orders = table[(table["metric"] == "order") & (table["reading"] == "speed=2")]
+    verdicts = dict(zip(orders["filter"], orders["verdict"], strict=True))
+    assert verdicts == {
+        "mapf < mapf_nc": "holds",
+        "mapf_nc < mapf_nmc": "fails",
+        "mapf < mpf": "undecided",
+        "mapf < dead_reckoning": "holds",
+    }
+    levels = table[table["metric"] == "rmse"].set_index(["reading", "filter"])["value"]
+    assert levels["speed=2", "mapf_nc"] == pytest.approx(2 * np.sqrt(2), rel=0.02)
+
+
+def test_jackknife_of_a_root_and_of_a_mean_of_roots():
+    squared = np.random.default_rng(1).chisquare(2, (200, 30, 3))
+    by_root, by_function = metrics.root_mean(squared), metrics.of_mean(squared, np.sqrt)
+    for first, second in zip(by_root, by_function, strict=True):
+        np.testing.assert_allclose(first, second, rtol=1e-12)
+    whole = metrics.of_mean(squared, study.mean_of_roots)
+    np.testing.assert_allclose(whole.value[:3], by_root.value.mean(axis=0), rtol=1e-12)
+    assert whole.value[3] == pytest.approx(whole.value[:3].mean(), rel=1e-12)
+    repeated = np.random.default_rng(2).chisquare(2, (300, 200, 30, 3))
+    spread = study.mean_of_roots(repeated.mean(axis=1)).std(axis=0)
+    np.testing.assert_allclose(whole.mcse, spread, rtol=0.2)
