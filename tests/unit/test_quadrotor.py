@@ -5,8 +5,11 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from repro.control import cascaded_pid, path
+from repro.errors import ReproError
 from repro.models import quadrotor as model
+from repro.own import run_own
 from repro.studies import quadrotor as study
+from repro.view import trial_view
 from tests.conftest import points
 
 PARAMETERS = points()["quadrotor"]["nominal"].parameters
@@ -188,3 +191,13 @@ def test_path_is_linear_and_held():
     np.testing.assert_allclose(
         path.reference([0, 1], [[0.0], [2.0]], np.array([0.25, 9])), [[0.5], [2]]
     )
+
+
+def test_a_closed_loop_has_no_truth_to_view_or_to_bring_along():
+    for ask in (
+        lambda: trial_view(None, "quadrotor", "nominal", 0),
+        lambda: run_own("-", {"study": "quadrotor", "parameters": PARAMETERS}, "iekf", "-"),
+    ):
+        with pytest.raises(ReproError, match="quadrotor: a closed loop") as error:
+            ask()
+        assert "\n" not in str(error.value)

@@ -22,6 +22,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from repro.errors import ReproError
+
 
 class Runs(NamedTuple):
     """What a filter's jobs leave of one (study, point), all trials in order."""
@@ -31,6 +33,17 @@ class Runs(NamedTuple):
     degenerate: np.ndarray  # guarded updates, (trials,)
     recorded: dict[str, np.ndarray]  # what the closed loop decided
     flown: dict[str, np.ndarray] | None = None  # topics of a closed loop's log; not in the file
+
+
+def open_loop_module(name: str) -> ModuleType:
+    """The module of a study whose logs have a truth; raises ReproError for a closed loop."""
+    module = study_module(name)
+    if hasattr(module, "flight"):
+        raise ReproError(
+            f"{name}: a closed loop, in which every filter has its own truth; its logs hold the "
+            "disturbances, and results/flights/ what each filter flew"
+        )
+    return module
 
 
 def study_module(name: str) -> ModuleType:
