@@ -4,18 +4,24 @@ import numpy as np
 
 from repro.errors import ReproError
 
-# Not impairments but part of the measurement function: every filter may know which sensor measures.
-# None where a study schedules no sensors.
-ALWAYS_SEEN = ("sensor", "earlier_sensors")
+# Not impairments but part of the model's functions: every filter may know which sensor measures and
+# which input drove the system to this step. None where a study has no such thing.
+ALWAYS_SEEN = ("sensor", "earlier_sensors", "input")
 
 
 class Recorded:
-    """Channels of an open loop: arrays (trials, steps, ...) as the log holds them."""
+    """Channels of an open loop: arrays (trials, steps, ...) as the log holds them.
+
+    A closed loop may have besides
+        ON_PREDICTION       True: `at` gets the prediction for step k, not the last estimate
+        over(k, estimate)   (trials,): which trials are over; they keep their last values
+        flown()             topics of the log of what was flown
+    """
 
     def __init__(self, **channels: np.ndarray):
         self._channels = channels
 
-    def at(self, k: int, predicted: np.ndarray | None) -> dict:
+    def at(self, k: int, fed_back: np.ndarray) -> dict:
         """What the network offers at step k; here it does not depend on the filter."""
         return {name: channel[:, k] for name, channel in self._channels.items()}
 

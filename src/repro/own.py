@@ -8,7 +8,7 @@ import pandas as pd
 from repro.errors import ReproError
 from repro.logs import read_foreign
 from repro.run import run
-from repro.studies import study_module
+from repro.studies import open_loop_module
 from repro.tables import write_csv
 
 
@@ -18,7 +18,7 @@ def run_own(log_path: str, asked: dict, name: str, path: str | Path) -> None:
     `asked` has `study`, `point`, the point's `parameters` and the filter's `settings`.
     """
     study, parameters = asked["study"], asked["parameters"]
-    fields = study_module(study).topics(parameters)
+    fields = open_loop_module(study).topics(parameters)
     log = read_foreign(log_path, fields, study, asked["point"], parameters)
     estimate, runs = run(log, name, asked["settings"])
     trials, steps, n = estimate.shape

@@ -8,7 +8,7 @@ import numpy as np
 
 from repro.channels import Seen
 from repro.errors import ReproError
-from repro.logs import Log, read_log
+from repro.logs import Log, read_log, write_log
 from repro.streams import Streams
 from repro.studies import Runs, study_module
 
@@ -43,8 +43,10 @@ def run(log: Log, name: str, settings: dict) -> tuple[np.ndarray, Runs]:
         _run_block(log, name, settings, slice(first, first + block))
         for first in range(0, len(log.trials), block)
     ]
-    estimates, claimed, degenerate, recorded = zip(*blocks, strict=True)
+    estimates, claimed, degenerate, recorded, flown = zip(*blocks, strict=True)
     estimate = np.concatenate(estimates)
+    flown = {topic: np.concatenate([f[topic] for f in flown]) for topic in flown[0]}
+    log = log._replace(values=log.values | flown)  # a closed loop decides its own truth
     error = study.error(log, estimate) if "/truth" in log.values else np.full_like(estimate, np.nan)
     shared = claimed[0] is None or claimed[0].ndim == 2
     return estimate, Runs(
@@ -52,6 +54,7 @@ def run(log: Log, name: str, settings: dict) -> tuple[np.ndarray, Runs]:
         claimed=claimed[0] if shared else np.concatenate(claimed),
         degenerate=np.concatenate(degenerate),
         recorded={key: np.concatenate([r[key] for r in recorded]) for key in recorded[0]},
+        flown=flown,
     )
 
 
@@ -72,24 +75,42 @@ def _run_block(log: Log, name: str, settings: dict, trials: slice):
     claims = filter_.variance and getattr(study, "CLAIMED_VARIANCE", True)
     claimed = [filter_.variance(state)] * first if claims else None
     diagnosed = [filter_.diagnostics(state)] * first if filter_.diagnostics else None
+    infers = filter_.arrived and getattr(study, "INFERRED_ARRIVALS", False)
+    arrived = np.zeros((len(numbers), steps)) if infers else None
+    on_prediction = filter_.predicted and getattr(channels, "ON_PREDICTION", False)
+    loop_over = getattr(channels, "over", lambda k, mean: None)
     for k in range(first, steps):
         # A filter without a prediction of its own is scheduled on its last estimate.
-        predicted = filter_.predicted(state, k) if filter_.predicted else mean
-        seen = Seen(name, module.SEES, channels.at(k, predicted))
+        fed_back = filter_.predicted(state, k) if on_prediction else mean
+        seen = Seen(name, module.SEES, channels.at(k, fed_back))
         state = filter_.step(state, k, seen)
-        mean = _checked(filter_.mean(state), name, k, estimate[:, k].shape, numbers)
+        found = filter_.mean(state)
+        over = loop_over(k, found)
+        mean = _checked(_held(found, mean, over), name, k, estimate[:, k].shape, numbers)
         estimate[:, k] = mean
         if claimed is not None:
-            claimed.append(filter_.variance(state))
+            claimed.append(_held(filter_.variance(state), claimed[-1] if claimed else 0.0, over))
+        if arrived is not None:
+            arrived[:, k] = _held(filter_.arrived(state), arrived[:, k - 1], over)
         if diagnosed is not None:
             diagnosed.append(filter_.diagnostics(state))
     recorded = channels.record()
+    if arrived is not None:
+        recorded["arrived"] = arrived
     for key in diagnosed[0] if diagnosed else ():
         recorded[key] = np.stack([of_step[key] for of_step in diagnosed], axis=1)
     if claimed is not None:
         claimed = np.stack(claimed, axis=-2)  # (steps, n) if the same for every trial
     guarded = filter_.degenerate(state) if filter_.degenerate else np.zeros(len(numbers))
-    return estimate, claimed, guarded, recorded
+    flown = channels.flown() if hasattr(channels, "flown") else {}
+    return estimate, claimed, guarded, recorded, flown
+
+
+def _held(values: np.ndarray, last, over: np.ndarray | None) -> np.ndarray:
+    """Values (trials, ...), but the last ones of trials that are over."""
+    if over is None or not over.any():
+        return values
+    return np.where(over.reshape(-1, *(1,) * (np.ndim(values) - 1)), last, values)
 
 
 def _checked(mean, name: str, k: int, shape: tuple[int, int], numbers: list[int]) -> np.ndarray:
@@ -107,11 +128,23 @@ def _checked(mean, name: str, k: int, shape: tuple[int, int], numbers: list[int]
 
 
 def run_filter(
-    log_path: str, study: str, point: str, name: str, settings: dict, path: str | Path
+    log_path: str,
+    study: str,
+    point: str,
+    name: str,
+    settings: dict,
+    path: str | Path,
+    flight_path: str | Path | None = None,
 ) -> None:
-    """Read a log, run the filter and write its runs; the file appears whole or not at all."""
+    """Read a log, run the filter and write its runs; the file appears whole or not at all.
+
+    A closed loop writes the log of what was flown to `flight_path`.
+    """
     log = read_wanted_log(log_path, study, point)
-    _, runs = run(log, name, settings)
+    estimate, runs = run(log, name, settings)
+    if flight_path is not None:
+        module = study_module(study)
+        write_log(flight_path, module.flight(log, estimate, runs), module.period(log.parameters))
     arrays = {f"recorded_{key}": value for key, value in runs.recorded.items()}
     if runs.claimed is not None:
         arrays["claimed"] = runs.claimed

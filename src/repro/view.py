@@ -8,7 +8,7 @@ import numpy as np
 from repro.errors import ReproError
 from repro.logs import Log, write_log
 from repro.results import Results
-from repro.studies import study_module
+from repro.studies import open_loop_module, study_module
 
 LAYOUT = "foxglove-layout.json"  # the layout as an attachment of the view
 
@@ -18,6 +18,7 @@ def trial_view(results: Results, study: str, point: str, trial: int) -> Log:
 
     Both have the fields of /truth. Raises ReproError if the point has no such trial.
     """
+    open_loop_module(study)
     log = results.log(study, point)
     if trial not in log.trials:
         last = log.trials[-1]

@@ -73,6 +73,11 @@ def runs(name, studies, points="*"):
     return f"{RESULTS}/runs/{{study,{'|'.join(studies)}}}/{{point}}/{name}/{{shard}}.npz"
 
 
+def flights(name):
+    """Second output of a filter's rule in a closed loop: the log of what was flown."""
+    return f"{RESULTS}/flights/{{study}}/{{point}}/{name}/{{shard}}.mcap"
+
+
 def settings(name):
     """Settings of a paper's filter at the point, from params/."""
     return lambda wildcards: STUDIES[wildcards.study][wildcards.point].filters.get(name, {})

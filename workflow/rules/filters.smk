@@ -567,3 +567,80 @@ rule exact:
         settings=settings("exact"),
     script:
         RUN_FILTER
+
+
+# In a closed loop a filter flies: its rule writes the log of the flight beside the runs.
+
+
+rule true_state:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.true_state"),
+    output:
+        runs("true_state", studies=["quadrotor"]),
+        flight=flights("true_state"),
+    log:
+        logfile("true_state"),
+    benchmark:
+        timing("true_state")
+    conda:
+        ENVIRONMENT
+    params:
+        name="true_state",
+        settings=settings("true_state"),
+    script:
+        RUN_FILTER
+
+
+rule ekf_no_loss:
+    input:
+        log=LOG,
+        code=code("repro.run", "repro.filters.ekf_no_loss"),
+    output:
+        runs("ekf_no_loss", studies=["quadrotor"]),
+        flight=flights("ekf_no_loss"),
+    log:
+        logfile("ekf_no_loss"),
+    benchmark:
+        timing("ekf_no_loss")
+    conda:
+        ENVIRONMENT
+    params:
+        name="ekf_no_loss",
+        settings=settings("ekf_no_loss"),
+    script:
+        RUN_FILTER
+
+
+use rule iekf as fly_iekf with:
+    output:
+        runs("iekf", studies=["quadrotor"]),
+        flight=flights("iekf"),
+
+
+use rule bkf_1 as fly_bkf_1 with:
+    output:
+        runs("bkf_1", studies=["quadrotor"]),
+        flight=flights("bkf_1"),
+
+
+use rule bkf_2 as fly_bkf_2 with:
+    output:
+        runs("bkf_2", studies=["quadrotor"]),
+        flight=flights("bkf_2"),
+
+
+# Algorithm 4, whose results are Algorithm 3's to the last bit (tests/oracle) in an eighth of its time.
+use rule rbpf_fast as fly_rbpf with:
+    output:
+        runs("rbpf", studies=["quadrotor"]),
+        flight=flights("rbpf"),
+    params:
+        name="rbpf_fast",
+        settings=settings("rbpf"),
+
+
+use rule ekf as fly_ekf with:
+    output:
+        runs("ekf", studies=["quadrotor"]),
+        flight=flights("ekf"),

@@ -19,4 +19,5 @@ class Filter(NamedTuple):
     variance: Callable | None = None  # (state) -> claimed error variances, (n,) or (trials, n)
     degenerate: Callable | None = None  # (state) -> guarded updates so far, (trials,)
     diagnostics: Callable | None = None  # (state) -> {name: (trials,)} of this step, for the tables
+    arrived: Callable | None = None  # (state) -> Pr(gamma(k) = 1) as inferred or known, (trials,)
     particles: int = 1  # systems a trial has, by which the runner sizes its blocks of trials

@@ -13,10 +13,13 @@ class State(NamedTuple):
     estimate: np.ndarray  # xh(k|k), (n, trials)
     covariance: np.ndarray  # Sigma(k|k), packed, (n (n + 1) / 2, trials)
     last: Any  # what the filter keeps of gamma(k), (trials,); None before the first packet
+    weight: Any = 0.0  # of y(k) in the update, (trials,) or one for all
 
 
-def build(model: Model, weigh: Callable, spread: bool = False) -> Filter:
-    """`weigh(seen, evidence, last)` gives the weight of y(k) in the update, and the next `last`.
+def build(model: Model, weigh: Callable, spread: bool = False, channel: str = "received") -> Filter:
+    """`channel` is the one that the measurements come from.
+
+    `weigh(seen, evidence, last)` gives the weight of y(k) in the update, and the next `last`.
 
     1 takes y(k) for a measurement and 0 leaves it. evidence() is log N(e; 0, S) - log N(y; 0, R).
     With `spread` the weight is a probability, and the spread of the two means is added.
@@ -27,23 +30,22 @@ def build(model: Model, weigh: Callable, spread: bool = False) -> Filter:
     def init(streams):
         return State(*_kalman.start(model, len(streams)), last=None)
 
-    def predict(state, k):
+    def predict(state, k, known_input):
         if k == 0:  # the first measurement of a study that starts with an update
             return state.estimate.copy(), state.covariance.copy()
-        return _kalman.predict(model, state.estimate, state.covariance, k - 1)  # (5)
+        return _kalman.predict(model, state.estimate, state.covariance, k - 1, known_input)  # (5)
 
     def step(state, k, seen):
-        estimate, covariance = predict(state, k)
-        received = seen.received.reshape(-1, m)
+        estimate, covariance = predict(state, k, seen.input)
+        received = getattr(seen, channel).reshape(-1, m)
         innovation = _kalman.innovate(model, estimate, covariance, received, seen.sensor)
 
         def evidence():
             return _kalman.log_likelihood(innovation) - of_noise(received)
 
         weight, last = weigh(seen, evidence, state.last)
-        return State(
-            *_kalman.correct(estimate, covariance, innovation, weight, spread), last
-        )  # (4)
+        corrected = _kalman.correct(estimate, covariance, innovation, weight, spread)  # (4)
+        return State(*corrected, last, weight)
 
     return Filter(
         init,
@@ -51,4 +53,5 @@ def build(model: Model, weigh: Callable, spread: bool = False) -> Filter:
         mean=lambda state: state.estimate.T,
         predicted=lambda state, k: model.transition(state.estimate.T, k - 1),
         variance=lambda state: _kalman.diagonal(state.covariance, n).T,
+        arrived=lambda state: np.broadcast_to(state.weight, state.estimate.shape[1:]),
     )

@@ -3,6 +3,7 @@
 An estimate is (n, systems); a symmetric matrix is its upper triangle row by row, packed as
 (n (n + 1) / 2, systems). All work is elementwise over the systems, so that no result depends on
 which others stand beside it, and zeros and ones of a Jacobian cost nothing (repro.models.sparse).
+Where matrices are large and dense the products are stacks of small ones, a matrix a system.
 """
 
 from collections.abc import Callable
@@ -12,7 +13,9 @@ from typing import NamedTuple
 import numpy as np
 
 from repro.models import Model
-from repro.models.sparse import combine
+from repro.models.sparse import combine, component
+
+DENSE_FROM = 64  # entries of the gain above which a stack of products is faster than its parts
 
 
 class Innovation(NamedTuple):
@@ -36,6 +39,18 @@ def _places(n: int) -> np.ndarray:
     return places
 
 
+def _unpacked(packed: np.ndarray, n: int) -> np.ndarray:
+    """The matrices, (systems, n, n)."""
+    return np.ascontiguousarray(packed.T).take(_places(n), axis=1)
+
+
+def _packed(matrices: np.ndarray) -> np.ndarray:
+    """Upper triangles of (systems, n, n), packed."""
+    n = matrices.shape[-1]
+    flat = matrices.reshape(-1, n * n)
+    return np.ascontiguousarray(flat.take(np.ravel_multi_index(_upper(n), (n, n)), axis=1).T)
+
+
 def diagonal(packed: np.ndarray, n: int) -> np.ndarray:
     """Diagonal of packed matrices, (n, systems)."""
     return packed[np.diagonal(_places(n))]
@@ -50,9 +65,18 @@ def start(model: Model, systems: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def predict(
-    model: Model, estimate: np.ndarray, covariance: np.ndarray, k: int
+    model: Model, estimate: np.ndarray, covariance: np.ndarray, k: int, known_input=None
 ) -> tuple[np.ndarray, np.ndarray]:
-    """xh(k+1|k) = f(xh(k|k)) and A Sigma A' + Q with A = f'(xh(k|k)), in new arrays."""
+    """xh(k+1|k) = f(xh(k|k)) and A Sigma A' + Q with A = f'(xh(k|k)), in new arrays.
+
+    The known input u(k), (systems, inputs), is None where the model has none.
+    """
+    if known_input is not None:
+        predicted, jacobian = model.linearised(estimate.T, known_input, k)
+        moved = jacobian @ _unpacked(covariance, len(estimate)) @ jacobian.swapaxes(-2, -1)
+        packed = _packed(moved)
+        packed += model.process_covariance[_upper(len(estimate))][:, None]
+        return np.ascontiguousarray(predicted.T), packed
     jacobian = model.transition_jacobian(estimate.T, k)
     predicted = np.ascontiguousarray(model.transition(estimate.T, k).T)
     n = len(jacobian)
@@ -80,21 +104,27 @@ def innovate(
     m, n, noise = len(jacobian), len(predicted), model.measurement_covariance
     places = _places(n)
     rows = np.empty((m, *predicted.shape))
+    s = np.zeros((m, m, predicted.shape[1]))
     for i, row in enumerate(jacobian):  # C Sigma
+        measured = component(row)
+        if measured is not None:
+            covariance.take(places[measured], axis=0, out=rows[i])
+            continue
         for column in range(n):
             combine(row, {j: covariance[places[j, column]] for j in row}, rows[i, column])
-    s = np.empty((m, m, predicted.shape[1]))
     for i, row in enumerate(jacobian):  # (C Sigma) C' + R, lower triangle
-        for j in range(i, m):
-            combine(row, rows[j], s[j, i])
-            s[j, i] += noise[j, i]
-    for i in range(m):  # S = L D L'
-        for j in range(i + 1, m):
-            factor = s[j, i] / s[i, i]
-            rows[j] -= factor * rows[i]
-            values[j] -= factor * values[i]
-            for column in range(i + 1, j + 1):
-                s[j, column] -= factor * s[column, i]
+        measured = component(row)
+        if measured is not None:
+            s[i:, i] = rows[i:, measured]
+        else:
+            for j in range(i, m):
+                combine(row, rows[j], s[j, i])
+        s[i:, i] += noise[i:, i, None]
+    for i in range(m - 1):  # S = L D L'
+        factors = s[i + 1 :, i] / s[i, i]
+        rows[i + 1 :] -= factors[:, None] * rows[i]
+        values[i + 1 :] -= factors * values[i]
+        s[i + 1 :, i + 1 :] -= factors[:, None] * s[i + 1 :, i]
     return Innovation(rows, s[range(m), range(m)], values)
 
 
@@ -128,15 +158,26 @@ def correct(
     the means with and without it, g (1 - g) K e e' K', is added.
     """
     shares = weight / innovation.variances
-    for row, share, value in zip(innovation.rows, shares, innovation.values, strict=True):
-        gain = row * share
-        estimate += gain * value
-        _add_outer(covariance, -gain, row)
+    m, n = innovation.rows.shape[:2]
+    if m * n >= DENSE_FROM:
+        rows = np.ascontiguousarray(np.moveaxis(innovation.rows, -1, 0))
+        gains = rows * shares.T[:, :, None]
+        estimate += np.vecmat(innovation.values.T, gains).T
+        covariance -= _packed(gains.swapaxes(-2, -1) @ rows)
+    else:
+        _correct_by_component(estimate, covariance, innovation, shares)
     if spread:
         scaled = innovation.values / innovation.variances
         correction = _summed(innovation.rows * scaled[:, None])
         _add_outer(covariance, weight * (1 - weight) * correction, correction)
     return estimate, covariance
+
+
+def _correct_by_component(estimate, covariance, innovation, shares):
+    for row, share, value in zip(innovation.rows, shares, innovation.values, strict=True):
+        gain = row * share
+        estimate += gain * value
+        _add_outer(covariance, -gain, row)
 
 
 def _add_outer(packed: np.ndarray, left: np.ndarray, right: np.ndarray) -> None:

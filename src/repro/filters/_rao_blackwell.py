@@ -113,7 +113,8 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
     def step(state, k, seen):
         bank = state.bank
         if k > 0:
-            predicted = _kalman.predict(model, bank.estimate, bank.covariance, k - 1)
+            known = None if seen.input is None else seen.input.take(bank.trial, axis=0)
+            predicted = _kalman.predict(model, bank.estimate, bank.covariance, k - 1, known)
             bank = Bank(*predicted, bank.trial)  # step 4c
         received = seen.received.reshape(-1, m)
         of_columns = received.T.take(bank.trial, axis=1).T
@@ -187,5 +188,6 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
         variance=variance,
         degenerate=lambda state: state.degenerate,
         diagnostics=diagnostics if distinct else None,
+        arrived=lambda state: np.vecdot(state.weights, state.gamma),
         particles=particles,
     )

@@ -39,6 +39,9 @@ class Model(NamedTuple):
     initial_covariance: np.ndarray
     network: Any = None
     innovation: Callable = np.subtract  # (received, expected) -> (..., m); angles are wrapped
+    # Of a system with a known input u, instead of the first two:
+    # (x, u, k) -> f(x, u), (..., n), and its Jacobian, dense, (..., n, n)
+    linearised: Callable | None = None
 
 
 class DelayNetwork(NamedTuple):

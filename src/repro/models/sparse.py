@@ -45,3 +45,12 @@ def combine(row: Mapping[int, float | np.ndarray], slabs: np.ndarray, out: np.nd
             started = True
     if not started:
         out[...] = 0.0
+
+
+def component(row: Mapping[int, float | np.ndarray]) -> int | None:
+    """The column of a row that is 1 there and 0 elsewhere; None for any other row."""
+    if len(row) == 1:
+        ((column, entry),) = row.items()
+        if isinstance(entry, float) and entry == 1.0:
+            return column
+    return None

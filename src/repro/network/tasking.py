@@ -23,6 +23,8 @@ class ScheduledRanges:
     `true_positions` (trials, steps, 2) schedules on the truth instead (a reading).
     """
 
+    ON_PREDICTION = True
+
     def __init__(
         self, positions, ranges, origin, without_packet, offered, first, bound, true_positions=None
     ):

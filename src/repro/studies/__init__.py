@@ -12,6 +12,8 @@ and if it likes
     first_step(parameters)          0 if y(0) is used, without a prediction before it; else 1
     TRIALS_A_BLOCK                  how many systems the runner puts side by side
     CLAIMED_VARIANCE                False: the variances that the filters claim are not kept
+    INFERRED_ARRIVALS               True: what the filters infer of the arrivals is kept
+    flight(log, estimate, runs)     of a closed loop: the log of what was flown
 """
 
 from importlib import import_module
@@ -19,6 +21,8 @@ from types import ModuleType
 from typing import NamedTuple
 
 import numpy as np
+
+from repro.errors import ReproError
 
 
 class Runs(NamedTuple):
@@ -28,6 +32,18 @@ class Runs(NamedTuple):
     claimed: np.ndarray | None  # claimed error variances, ([trials,] steps, n)
     degenerate: np.ndarray  # guarded updates, (trials,)
     recorded: dict[str, np.ndarray]  # what the closed loop decided
+    flown: dict[str, np.ndarray] | None = None  # topics of a closed loop's log; not in the file
+
+
+def open_loop_module(name: str) -> ModuleType:
+    """The module of a study whose logs have a truth; raises ReproError for a closed loop."""
+    module = study_module(name)
+    if hasattr(module, "flight"):
+        raise ReproError(
+            f"{name}: a closed loop, in which every filter has its own truth; its logs hold the "
+            "disturbances, and results/flights/ what each filter flew"
+        )
+    return module
 
 
 def study_module(name: str) -> ModuleType:

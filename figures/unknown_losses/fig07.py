@@ -1,0 +1,13 @@
+"""Figure 7: the control architecture, drawn."""
+
+from repro.plot.drawings import control_loop
+
+NEEDS = {}
+CAPTION = (
+    "Figure 7. The loop: the estimate is all that the two controllers get. A drawing of what "
+    "repro.control.flight does; it depends on no result."
+)
+
+
+def draw(results):
+    return control_loop()

@@ -1,0 +1,13 @@
+"""Figure 8: trajectories of the controlled quadrotor in space."""
+
+from repro.plot.flights import in_space
+
+NEEDS = {"points": {"quadrotor": ["nominal"]}}
+CAPTION = (
+    "Figure 8. One flight on the estimates of each filter, the one whose rms distance to the path "
+    "is the median with the RBPF. Every filter flies under the same noise and losses, p = 0.2."
+)
+
+
+def draw(results):
+    return in_space(results, "nominal")

@@ -1,0 +1,13 @@
+"""Figure 9: trajectories over time."""
+
+from repro.plot.flights import over_time
+
+NEEDS = {"points": {"quadrotor": ["nominal"]}}
+CAPTION = (
+    "Figure 9. The flight of Figure 8 in X, Y and Z, and the distance to the path in all flights. "
+    "The controller alone is 0.2 m behind: its velocity command is the position error."
+)
+
+
+def draw(results):
+    return over_time(results, "nominal")

@@ -1,0 +1,16 @@
+"""Figure 10: tracking error of the EKF that ignores the losses."""
+
+from repro.plot.flights import ignoring_losses
+
+NEEDS = {"points": {"quadrotor": ["nominal", "far"]}}
+CAPTION = (
+    "Figure 10. Tracking error of the EKF that ignores the losses. On the path of [26] it is a "
+    "bounded bias: the estimate averages y and the loop holds it at the command. On a path 100 "
+    "times as large, with filters that trust y, the altitude's estimate drops at every loss and "
+    "climbs after it: the derivative shuts the throttle four steps in five, and the quadrotor "
+    "falls and tumbles."
+)
+
+
+def draw(results):
+    return ignoring_losses(results, ("nominal", "far"))

@@ -1,0 +1,1 @@
+"""Controllers, and the loops that they close on an estimate."""

@@ -1,0 +1,104 @@
+"""A quadrotor flown on a filter's estimate: the loop of Fig. 7 of Zhang, You, Xie 2018.
+
+Order of a step: y(k) -> update -> controller -> plant step with the current rotor speeds -> motor
+step. So y(k + 1) depends on the estimate at k, and every filter flies its own truth under the same
+disturbances. A flight that tumbles, or leaves, is over: its state stays where it was last.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from repro.control import cascaded_pid
+from repro.models import quadrotor
+
+
+class System(NamedTuple):
+    """What flies."""
+
+    frame: quadrotor.Airframe
+    motor: quadrotor.Motor
+    controller: cascaded_pid.Settings
+    period: float  # s
+    tilt_limit: float  # rad of roll or pitch beyond which a flight has tumbled
+    range_limit: float  # m from the origin beyond which a flight has left
+
+
+class Flight:
+    """The channels of a batch of flights.
+
+    process (flights, steps, 12), noise (flights, steps + 1, 12) and gamma (flights, steps + 1) are
+    the disturbances; reference (steps + 1, 4) is X, Y, Z in m and psi in rad; start (12,) is the
+    true initial state and start_speed that of all rotors in RPM.
+    """
+
+    def __init__(self, system: System, process, noise, gamma, reference, start, start_speed):
+        self._system, self._reference = system, reference
+        self._process, self._noise, self._gamma = process, noise, gamma
+        flights, samples = gamma.shape
+        self._truth = np.empty((flights, samples, 12))
+        self._truth[:, 0] = start
+        self._received = np.empty(self._truth.shape)
+        self._throttle = np.empty((flights, samples - 1, 4))
+        self._speeds = np.full((flights, 4), start_speed)
+        self._controller = None
+        self._end = np.full(flights, samples)  # first step that is not flown
+
+    def at(self, k: int, estimate: np.ndarray) -> dict:
+        """What the sensors and the network offer at step k after the estimate of step k - 1."""
+        speeds = self._speeds
+        if k > 0:
+            self._fly(k - 1, estimate.T)
+        truth, noise, gamma = self._truth[:, k], self._noise[:, k], self._gamma[:, k]
+        self._received[:, k] = gamma[:, None] * truth + noise  # (2) with h(x) = x
+        return {
+            "received": self._received[:, k],
+            "without_loss": truth + noise,
+            "arrival": gamma,
+            "truth": truth,
+            "input": speeds,
+        }
+
+    def _fly(self, k: int, estimate: np.ndarray) -> None:
+        """Controller at step k, then plant and motors from k to k + 1."""
+        system = self._system
+        if self._controller is None:
+            self._controller = cascaded_pid.start(estimate)
+        command, self._controller = cascaded_pid.control(
+            system.controller, self._controller, estimate, self._reference[k], system.period
+        )
+        throttle = np.clip(cascaded_pid.mixed(command), 0.0, 100.0).T
+        last = self._truth[:, k]
+        flown = quadrotor.transition(system.frame, last, self._speeds, system.period)
+        flown = flown + self._process[:, k]
+        ends = (self._end > k) & ~self._airworthy(flown)
+        self._end[ends] = k + 1
+        self._truth[:, k + 1] = np.where((self._end > k + 1)[:, None], flown, last)
+        self._throttle[:, k] = throttle
+        self._speeds = quadrotor.motor_step(system.motor, self._speeds, throttle, system.period)
+
+    def _airworthy(self, state: np.ndarray) -> np.ndarray:
+        tilt = np.abs(state[:, 3:5]).max(axis=1)
+        away = np.sqrt((state[:, quadrotor.POSITION] ** 2).sum(axis=1))
+        fine = np.isfinite(state).all(axis=1)  # comparisons with NaN are false as well
+        return fine & (tilt <= self._system.tilt_limit) & (away <= self._system.range_limit)
+
+    def over(self, k: int, estimate: np.ndarray) -> np.ndarray:
+        """Which flights are over at step k, (flights,); one without a finite estimate is."""
+        lost = (self._end > k) & ~np.isfinite(estimate).all(axis=1)
+        self._end[lost] = k
+        return self._end <= k
+
+    def record(self) -> dict:
+        """Where the flights were, how far from the reference, what was lost, when they ended."""
+        position = self._truth[:, :, quadrotor.POSITION]
+        return {
+            "position": position,
+            "distance": np.sqrt(((position - self._reference[:, :3]) ** 2).sum(axis=-1)),
+            "gamma": self._gamma,
+            "end": self._end,
+        }
+
+    def flown(self) -> dict:
+        """Topics of the flight log that the loop itself decided."""
+        return {"/truth": self._truth, "/received": self._received, "/throttle": self._throttle}

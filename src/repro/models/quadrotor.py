@@ -1,0 +1,206 @@
+"""Rigid body of a quadrotor in "+" configuration, sampled by RK4, and its motors (Quad-Sim, [26]).
+
+State (P, Q, R, phi, theta, psi, U, V, W, X, Y, Z): body rates in rad/s, roll, pitch and yaw in rad,
+body velocity in m/s, position in m, Z up. Rotor speeds w1 ... w4 in RPM; motor 1 stands on +x and
+motor 2 on +y. States are (..., 12) and rotor speeds (..., 4); memory is component-major inside.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+STATE = ("P", "Q", "R", "phi", "theta", "psi", "U", "V", "W", "X", "Y", "Z")
+RATES, ANGLES, VELOCITY, POSITION = (slice(i, i + 3) for i in (0, 3, 6, 9))
+CORE = 9  # components that drive others; the position drives none
+RPM = 2 * np.pi / 60  # rad/s
+
+
+class Airframe(NamedTuple):
+    """Constants of body and rotors, SI but for RPM."""
+
+    mass: float  # m, kg
+    gravity: float  # g, m/s^2
+    arm: float  # d, m
+    inertia: tuple[float, float, float]  # Jx, Jy, Jz, kg m^2
+    rotor_inertia: float  # Jm, kg m^2
+    thrust_coefficient: float  # ct, N/RPM^2
+    torque_coefficient: float  # cq, N m/RPM^2
+
+
+class Motor(NamedTuple):
+    """First-order lag from throttle in % to rotor speed in RPM."""
+
+    time_constant: float  # T, s
+    slope: float  # cr, RPM/%
+    offset: float  # b, RPM
+    least_throttle: float  # %, below which the rotor stops
+
+    def hover_throttle(self, speed: float) -> float:
+        """Throttle in % that holds a rotor speed in RPM."""
+        return (speed - self.offset) / self.slope
+
+
+def hover_speed(frame: Airframe) -> float:
+    """Rotor speed in RPM whose thrust carries the weight."""
+    return float(np.sqrt(frame.mass * frame.gravity / (4 * frame.thrust_coefficient)))
+
+
+def motor_step(motor: Motor, speeds: np.ndarray, throttle: np.ndarray, period: float) -> np.ndarray:
+    """Rotor speeds after `period` s of constant throttle, exactly; any shape."""
+    throttle = np.clip(throttle, 0.0, 100.0)
+    running = throttle >= motor.least_throttle
+    steady = np.where(running, motor.slope * throttle + motor.offset, 0.0)
+    return steady + np.exp(-period / motor.time_constant) * (speeds - steady)
+
+
+class _Loads(NamedTuple):
+    """What the rotors do to the body, over the inertia it acts on; (batch) each."""
+
+    roll: np.ndarray
+    pitch: np.ndarray
+    yaw: np.ndarray
+    lift: np.ndarray
+    spin_x: np.ndarray  # G / Jx: the rotors' own angular momentum
+    spin_y: np.ndarray  # G / Jy
+
+
+def _loads(frame: Airframe, speeds: np.ndarray) -> _Loads:
+    w = speeds.T
+    jx, jy, jz = frame.inertia
+    squared = w * w
+    arm, drag = frame.arm * frame.thrust_coefficient, frame.torque_coefficient
+    spin = frame.rotor_inertia * RPM * (w[1] + w[3] - w[0] - w[2])
+    return _Loads(
+        roll=arm / jx * (squared[1] - squared[3]),
+        pitch=arm / jy * (squared[2] - squared[0]),
+        yaw=drag / jz * (squared[1] + squared[3] - squared[0] - squared[2]),
+        lift=frame.thrust_coefficient / frame.mass * squared.sum(axis=0),
+        spin_x=spin / jx,
+        spin_y=spin / jy,
+    )
+
+
+def _gyroscopic(frame: Airframe) -> tuple[float, float, float]:
+    jx, jy, jz = frame.inertia
+    return (jz - jy) / jx, (jx - jz) / jy, (jy - jx) / jz
+
+
+def _derivative(frame: Airframe, x: np.ndarray, loads: _Loads) -> np.ndarray:
+    """dx/dt of states (12, batch)."""
+    p, q, r, _, _, _, u, v, w, _, _, z = x
+    (sin_phi, sin_theta, sin_psi), (cos_phi, cos_theta, cos_psi) = np.sin(x[3:6]), np.cos(x[3:6])
+    about_x, about_y, about_z = _gyroscopic(frame)
+    g = frame.gravity
+    out = np.empty_like(x)
+    out[0] = loads.roll + q * (loads.spin_x - about_x * r)
+    out[1] = loads.pitch - p * (loads.spin_y + about_y * r)
+    out[2] = loads.yaw - about_z * p * q
+    turning = sin_phi * q + cos_phi * r
+    out[5] = turning / cos_theta
+    out[3] = p + sin_theta * out[5]
+    out[4] = cos_phi * q - sin_phi * r
+    out[6] = g * sin_theta + r * v - q * w
+    tilted = g * cos_theta
+    out[7] = p * w - r * u - tilted * sin_phi
+    out[8] = loads.lift - tilted * cos_phi + q * u - p * v
+    # Rz(psi) Ry(theta) Rx(phi) [U V W]'
+    right, up = cos_phi * v - sin_phi * w, sin_phi * v + cos_phi * w
+    ahead = cos_theta * u + sin_theta * up
+    out[9] = cos_psi * ahead - sin_psi * right
+    out[10] = sin_psi * ahead + cos_psi * right
+    climb = cos_theta * up - sin_theta * u
+    out[11] = np.where((z <= 0) & (climb <= 0), 0.0, climb)  # the ground
+    return out
+
+
+def derivative(frame: Airframe, x: np.ndarray, speeds: np.ndarray) -> np.ndarray:
+    """dx/dt, (..., 12)."""
+    return _derivative(frame, x.T, _loads(frame, speeds)).T
+
+
+def _stages(frame: Airframe, x: np.ndarray, loads: _Loads, period: float):
+    """States and slopes of the four stages of RK4, (12, 4, batch), and the state after the step."""
+    states, slopes = np.empty((2, 12, 4, *x.shape[1:]))
+    states[:, 0] = x
+    slopes[:, 0] = _derivative(frame, x, loads)
+    for i, step in enumerate((period / 2, period / 2, period)):
+        states[:, i + 1] = x + step * slopes[:, i]
+        slopes[:, i + 1] = _derivative(frame, states[:, i + 1], loads)
+    after = slopes[:, 1] + slopes[:, 2]
+    after *= 2
+    after += slopes[:, 0]
+    after += slopes[:, 3]
+    after *= period / 6
+    after += x
+    after[11] = np.maximum(after[11], 0.0)  # the ground
+    return states, after
+
+
+def transition(frame: Airframe, x: np.ndarray, speeds: np.ndarray, period: float) -> np.ndarray:
+    """State after `period` s of constant rotor speeds, by one step of RK4, (..., 12)."""
+    return _stages(frame, x.T, _loads(frame, speeds), period)[1].T
+
+
+def linearised(
+    frame: Airframe, x: np.ndarray, speeds: np.ndarray, period: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """The transition and its Jacobian, (..., 12, 12): the chain rule through the stages of RK4."""
+    loads = _loads(frame, speeds)
+    states, after = _stages(frame, x.T, loads, period)
+    of_stage = _stage_jacobian(frame, states, loads)
+    slope = total = of_stage[0]
+    for i, step in enumerate((period / 2, period / 2, period)):
+        # d(slope i)/dx = J_i (I + h d(slope i-1)/dx); nothing depends on the position
+        slope = of_stage[i + 1] + step * (of_stage[i + 1] @ slope[..., :CORE, :])
+        total = total + (2 * slope if i < 2 else slope)
+    jacobian = np.zeros((*x.shape, 12))
+    jacobian[..., :CORE] = period / 6 * total
+    jacobian[..., range(12), range(12)] += 1.0
+    jacobian[..., 11, :] *= (after[11] > 0)[..., None]  # on the ground the altitude is zero
+    return after.T, jacobian
+
+
+def _stage_jacobian(frame: Airframe, x: np.ndarray, loads: _Loads) -> np.ndarray:
+    """d(dx/dt)/dx by the first nine components, (..., 12, 9), of states (12, ...)."""
+    p, q, r, _, _, _, u, v, w, _, _, z = x
+    (sin_phi, sin_theta, sin_psi), (cos_phi, cos_theta, cos_psi) = np.sin(x[3:6]), np.cos(x[3:6])
+    about_x, about_y, about_z = _gyroscopic(frame)
+    g = frame.gravity
+    entries = np.zeros((12, CORE, *x.shape[1:]))
+    rates = entries[:3]
+    rates[0, 1], rates[0, 2] = loads.spin_x - about_x * r, -about_x * q
+    rates[1, 0], rates[1, 2] = -loads.spin_y - about_y * r, -about_y * p
+    rates[2, 0], rates[2, 1] = -about_z * q, -about_z * p
+    roll, pitch, yaw = entries[3:6]
+    tilting = cos_phi * q - sin_phi * r
+    yaw[1], yaw[2] = sin_phi / cos_theta, cos_phi / cos_theta
+    yaw[3] = tilting / cos_theta
+    tangent = sin_theta / cos_theta
+    turning = yaw[1] * q + yaw[2] * r
+    yaw[4] = turning * tangent
+    roll[0], roll[1], roll[2] = 1.0, sin_theta * yaw[1], sin_theta * yaw[2]
+    roll[3], roll[4] = sin_theta * yaw[3], turning / cos_theta
+    pitch[1], pitch[2], pitch[3] = cos_phi, -sin_phi, -turning * cos_theta
+    ahead, right, up = entries[6:9]
+    tilted = cos_theta * sin_phi, cos_theta * cos_phi
+    ahead[1], ahead[2], ahead[4], ahead[7], ahead[8] = -w, v, g * cos_theta, r, -q
+    right[0], right[2], right[3], right[4] = w, -u, -g * tilted[1], g * sin_theta * sin_phi
+    right[6], right[8] = -r, p
+    up[0], up[1], up[3], up[4] = -v, u, g * tilted[0], g * sin_theta * cos_phi
+    up[6], up[7] = q, -p
+    x_, y_, z_ = entries[9:12]
+    level, lifted = cos_phi * v - sin_phi * w, sin_phi * v + cos_phi * w
+    forward = cos_theta * u + sin_theta * lifted
+    climb = cos_theta * lifted - sin_theta * u
+    banked = sin_theta * level
+    x_[3], y_[3] = cos_psi * banked + sin_psi * lifted, sin_psi * banked - cos_psi * lifted
+    x_[4], y_[4] = cos_psi * climb, sin_psi * climb
+    x_[5], y_[5] = -sin_psi * forward - cos_psi * level, cos_psi * forward - sin_psi * level
+    x_[6], y_[6] = cos_psi * cos_theta, sin_psi * cos_theta
+    sideways, upward = sin_theta * sin_phi, sin_theta * cos_phi
+    x_[7], y_[7] = cos_psi * sideways - sin_psi * cos_phi, sin_psi * sideways + cos_psi * cos_phi
+    x_[8], y_[8] = cos_psi * upward + sin_psi * sin_phi, sin_psi * upward - cos_psi * sin_phi
+    z_[3], z_[4], z_[6], z_[7], z_[8] = cos_theta * level, -forward, -sin_theta, *tilted
+    if (z <= 0).any():
+        z_ *= ~((z <= 0) & (climb <= 0))
+    return np.ascontiguousarray(np.moveaxis(entries, (0, 1), (-2, -1)))

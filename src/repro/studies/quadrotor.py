@@ -1,0 +1,211 @@
+"""The quadrotor in closed loop (Zhang, You, Xie 2018, Sec. VI-C; Table III, Figs. 6-10)."""
+
+import numpy as np
+
+from repro import metrics
+from repro.control import cascaded_pid, path
+from repro.control.flight import Flight, System
+from repro.logs import Log
+from repro.models import Model, quadrotor
+from repro.models.quadrotor import ANGLES, POSITION, STATE, VELOCITY
+from repro.network import losses
+
+TRIALS_A_BLOCK = 1200  # systems, flights times particles
+INFERRED_ARRIVALS = True
+CLAIMED_VARIANCE = False  # none of the tables has it
+
+
+def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
+    """Of the disturbances: what is flown under them depends on the filter."""
+    return {
+        "/process": tuple(f"w_{name}" for name in STATE),
+        "/sensor": tuple(f"v_{name}" for name in STATE),
+        "/network": ("gamma",),
+    }
+
+
+def period(parameters: dict) -> float:
+    return parameters["period"]
+
+
+def first_step(parameters: dict) -> int:
+    return 0  # y(0) is used: Algorithms 1-3
+
+
+def _per_component(parameters: dict, name: str) -> np.ndarray:
+    """The four standard deviations of a kind (rates, angles, velocity, position), (12,), SI."""
+    rate, angle, velocity, position = parameters[name]
+    return np.repeat([np.deg2rad(rate), np.deg2rad(angle), velocity, position], 3)
+
+
+def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
+    steps, n = parameters["steps"], len(STATE)
+    gamma = losses.arrivals(streams("network").uniform(steps + 1), losses.losses(parameters))
+    process = _per_component(parameters, "process_deviations")
+    noise = _per_component(parameters, "measurement_deviations")
+    return {
+        "/process": process * streams("process").standard_normal(steps, n),
+        "/sensor": noise * streams("sensor").standard_normal(steps + 1, n),
+        "/network": gamma[:, :, None],
+    }
+
+
+def airframe(parameters: dict) -> quadrotor.Airframe:
+    return quadrotor.Airframe(
+        mass=parameters["mass"],
+        gravity=parameters["gravity"],
+        arm=parameters["arm"],
+        inertia=tuple(parameters["inertia"]),
+        rotor_inertia=parameters["rotor_inertia"],
+        thrust_coefficient=parameters["thrust_coefficient"],
+        torque_coefficient=parameters["torque_coefficient"],
+    )
+
+
+def motor(parameters: dict) -> quadrotor.Motor:
+    return quadrotor.Motor(
+        parameters["motor_time_constant"],
+        parameters["motor_slope"],
+        parameters["motor_offset"],
+        parameters["least_throttle"],
+    )
+
+
+def controller(parameters: dict) -> cascaded_pid.Settings:
+    loops = ("velocity", "roll", "pitch", "yaw", "altitude")
+    hover = quadrotor.hover_speed(airframe(parameters))
+    return cascaded_pid.Settings(
+        **{loop: cascaded_pid.Gains(*parameters[f"{loop}_gains"]) for loop in loops},
+        tilt_limit=np.deg2rad(parameters["tilt_command_limit_deg"]),
+        integral_limit=parameters["integral_limit"],
+        hover_throttle=motor(parameters).hover_throttle(hover),
+    )
+
+
+def reference(parameters: dict) -> np.ndarray:
+    """X, Y, Z in m and psi in rad at every step, (steps + 1, 4)."""
+    at = np.arange(parameters["steps"] + 1) * parameters["period"]
+    times = parameters["path_slowness"] * np.array(parameters["path_times"])
+    points = parameters["path_scale"] * np.array(parameters["path_points"])
+    flown = path.reference(times, points, at)
+    return np.concatenate([flown, np.zeros((len(flown), 1))], axis=1)
+
+
+def _start(parameters: dict) -> np.ndarray:
+    """At rest on the first point of the path."""
+    state = np.zeros(len(STATE))
+    state[POSITION] = reference(parameters)[0, :3]
+    return state
+
+
+def model(parameters: dict) -> Model:
+    frame, step = airframe(parameters), parameters["period"]
+    measured = [{i: 1.0} for i in range(len(STATE))]
+    process = _per_component(parameters, "process_deviations")
+    process[POSITION] = parameters["believed_position_deviation"]
+    return Model(
+        transition=None,
+        transition_jacobian=None,
+        measurement=lambda x, sensor: x,
+        measurement_jacobian=lambda x, sensor: measured,
+        process_covariance=np.diag(process**2),
+        measurement_covariance=np.diag(_per_component(parameters, "measurement_deviations") ** 2),
+        initial_mean=_start(parameters),
+        initial_covariance=np.diag(_per_component(parameters, "initial_deviations") ** 2),
+        network=losses.losses(parameters),
+        innovation=_wrapped,
+        linearised=lambda x, speeds, k: quadrotor.linearised(frame, x, speeds, step),
+    )
+
+
+def _wrapped(received: np.ndarray, expected: np.ndarray) -> np.ndarray:
+    """Received minus expected, the angles' differences taken to [-pi, pi)."""
+    difference = received - expected
+    angles = difference[..., ANGLES]
+    angles -= 2 * np.pi * np.floor((angles + np.pi) / (2 * np.pi))
+    return difference
+
+
+def channels(log, trials: slice, parameters: dict) -> Flight:
+    start = _start(parameters)
+    system = System(
+        airframe(parameters),
+        motor(parameters),
+        controller(parameters),
+        parameters["period"],
+        tilt_limit=np.deg2rad(parameters["tumbled_above_deg"]),
+        range_limit=parameters["left_beyond"] + 4 * start[11],
+    )
+    return Flight(
+        system,
+        process=log.values["/process"][trials],
+        noise=log.values["/sensor"][trials],
+        gamma=log.field("/network", "gamma")[trials],
+        reference=reference(parameters),
+        start=start,
+        start_speed=parameters["start_speed"],
+    )
+
+
+def error(log, estimate: np.ndarray) -> np.ndarray:
+    return estimate - log.values["/truth"]
+
+
+def flight(log: Log, estimate: np.ndarray, runs) -> Log:
+    """The log of what was flown."""
+    path_ = np.broadcast_to(reference(log.parameters), (len(estimate), *estimate.shape[1:2], 4))
+    return log._replace(
+        fields={
+            "/truth": STATE,
+            "/received": STATE,
+            "/estimate": STATE,
+            "/reference": ("X", "Y", "Z", "psi"),
+            "/throttle": tuple(f"motor_{i}" for i in range(1, 5)),
+        },
+        values=runs.flown | {"/estimate": estimate, "/reference": path_},
+    )
+
+
+def flying(runs) -> np.ndarray:
+    """Which steps were flown, (flights, steps)."""
+    return np.arange(runs.error.shape[1]) < runs.recorded["end"][:, None]
+
+
+def over_flight(runs, per_step: np.ndarray) -> np.ndarray:
+    """Mean of (flights, steps) over the steps that were flown, (flights,)."""
+    flown = flying(runs)
+    return np.where(flown, per_step, 0.0).sum(axis=1) / flown.sum(axis=1)
+
+
+def squared_distance(runs) -> np.ndarray:
+    """Mean squared distance to the reference over each flight, (flights,), in m^2."""
+    return over_flight(runs, runs.recorded["distance"] ** 2)
+
+
+def lost(runs) -> np.ndarray:
+    """Which flights tumbled, or left, before the end, (flights,)."""
+    return runs.recorded["end"] < runs.error.shape[1]
+
+
+def share(runs, of: float) -> np.ndarray:
+    """Share of the steps with gamma = `of` that the filter takes for what they are, (flights,)."""
+    meant = flying(runs) & (runs.recorded["gamma"] == of)
+    right = (runs.recorded["arrived"] > 0.5) == bool(of)
+    return (meant & right).sum(axis=1) / np.maximum(meant.sum(axis=1), 1)
+
+
+def rows(runs):
+    yield "rmse", "tracking", metrics.root_mean(squared_distance(runs))
+    for component, of in (("position", POSITION), ("velocity", VELOCITY), ("angles", ANGLES)):
+        squared = (runs.error[..., of] ** 2).sum(axis=-1)
+        yield "rmse", component, metrics.root_mean(over_flight(runs, squared))
+    yield "tumbled", "flight", metrics.mean(lost(runs).astype(float))
+    yield "end", "flight", metrics.mean(runs.recorded["end"].astype(float))
+    if "arrived" in runs.recorded:
+        yield "detected", "losses", metrics.mean(share(runs, of=0))
+        yield "detected", "arrivals", metrics.mean(share(runs, of=1))
+    yield "altitude", "Z", metrics.mean(over_flight(runs, runs.recorded["position"][..., 2]))
+
+
+def curves(runs):
+    yield "distance", "tracking", metrics.mean(runs.recorded["distance"])
