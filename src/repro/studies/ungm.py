@@ -10,7 +10,7 @@ from repro.studies._energy_harvesting import channels, error
 __all__ = ["channels", "error"]
 
 COMPONENTS = {"state": (0,)}
-TRIALS_A_BLOCK = 125
+TRIALS_A_BLOCK = 200
 
 
 def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
