@@ -27,6 +27,7 @@ class Reading(NamedTuple):
     point: str
     steps: slice = slice(1, None)
     average: Callable = study.mean_of_roots
+    trials: int | None = None  # the first of them; all if None
 
 
 # These need no runs of their own.
@@ -43,13 +44,15 @@ def tabulate(results: Results, name: str, prefix: str, tolerance: float, path: s
 
     `prefix` is what the names of the readings' points begin with.
     """
-    runs = (
-        Reading(point.removeprefix(prefix), point)
-        for point in results.catalogue[name]
-        if point.startswith(prefix)
+    points = [point for point in results.catalogue[name] if point.startswith(prefix)]
+    fewest = min(len(results.runs(name, point, "mapf").error) for point in points)
+    readings = (
+        *OF_THE_METRIC,
+        Reading("base of the same runs", "base", trials=fewest),  # the runs that the readings have
+        *(Reading(point.removeprefix(prefix), point) for point in points),
     )
     rows = []
-    for reading in (*OF_THE_METRIC, *runs):
+    for reading in readings:
         found = {
             filter_: _average(results, name, reading, filter_)
             for filter_ in results.filters(name, reading.point)
@@ -75,6 +78,7 @@ def tabulate(results: Results, name: str, prefix: str, tolerance: float, path: s
 
 def _average(results: Results, name: str, reading: Reading, filter_: str):
     """Average over the targets of the time-averaged RMSE, and with one run left out each."""
-    squared = study.squared_distance(results.runs(name, reading.point, filter_))[:, reading.steps]
+    squared = study.squared_distance(results.runs(name, reading.point, filter_))
+    squared = squared[: reading.trials, reading.steps]
     left_out = metrics.leave_one_out(squared, reading.average)
     return reading.average(squared.mean(axis=0))[-1], np.asarray(left_out)[:, -1]

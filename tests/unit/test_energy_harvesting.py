@@ -5,6 +5,8 @@ import pytest
 
 from repro.network import energy_harvesting, saturation
 from repro.network.energy_harvesting import EnergyQueue
+from repro.params import ParameterError, load_paper
+from tests.conftest import ROOT, SCHEMAS
 
 PI_1 = np.array(
     [[0.5, 0.2, 0.2, 0.1], [0.4, 0.4, 0.1, 0.1], [0.3, 0.3, 0.2, 0.2], [0.3, 0.1, 0.2, 0.4]]
@@ -63,3 +65,11 @@ def test_never_empty_is_certain():
     for rule in ("lemma1", "exact"):
         probability = energy_harvesting.transmission_probability(queue(always), 30, rule)
         assert np.all(probability == 1.0)  # exactly: log(1 - lambda) is then -inf
+
+
+def test_rows_of_the_harvest_must_sum_to_one(tmp_path):
+    text = (ROOT / "params" / "energy_harvesting.yaml").read_text()
+    file = tmp_path / "energy_harvesting.yaml"
+    file.write_text(text.replace("[0.3, 0.1, 0.2, 0.4]", "[0.3, 0.1, 0.2, 0.5]", 1))
+    with pytest.raises(ParameterError, match=r"harvest_transition: .*row 3 sums to 1\.1"):
+        load_paper(file, SCHEMAS)

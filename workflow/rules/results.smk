@@ -53,11 +53,11 @@ rule sensitivity:
     benchmark:
         timing("sensitivity", "study")
     wildcard_constraints:
-        study="deadband|saturation",
+        study="|".join(PAPERS["censored_network"].studies),
     conda:
         ENVIRONMENT
     params:
-        results=RESULTS,
+        results=lambda wildcards: RESULTS,
         catalogue=lambda wildcards: {
             wildcards.study: {**CATALOGUE[wildcards.study], **REQUESTED[wildcards.study]}
         },

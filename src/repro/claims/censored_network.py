@@ -16,6 +16,8 @@ from repro.studies import _censored_network as study
 CLAIMS: list[Claim] = []
 STUDIES = {"deadband": "dead band", "saturation": "saturation"}
 RUNS = 300  # of the paper
+SETTINGS = {"particles": 1000, "resampling": "systematic", "coupling_drawn_per": "particle"}
+TRIED = 10  # trials on which an identity is tried
 AGREEMENT = 3.0  # standard errors of both within which a ratio agrees, as for the values
 
 
@@ -145,9 +147,9 @@ def limits_of_the_censoring(results):
     log = results.log("deadband", "base")
     known = study.model(log.parameters)
     particles = _protocol_particles.Draws(known, 1000, True, "particle").initial(
-        Streams(log.seed, "claims", "filter:limits", range(10))
+        Streams(log.seed, "claims", "filter:limits", log.trials[:TRIED].tolist())
     )
-    step = study.channels(log, slice(0, 10), log.parameters).at(1, None)
+    step = study.channels(log, slice(TRIED), log.parameters).at(1, None)
     parts = []
     for kind, threshold in (("dead band", 0.0), ("saturation", 1e9)):
         limit = known._replace(censoring=Censoring(kind, -threshold, threshold, 0.0))
@@ -162,20 +164,19 @@ def limits_of_the_censoring(results):
 
 @claim(CLAIMS, "C-C8 coupling", "Remark 3: alphabar = 0 gives the filter without coupling")
 def limit_of_the_coupling(results):
-    log, settings = results.log("deadband", "base"), _SETTINGS
+    log = results.log("deadband", "base")
     known = study.model(log.parameters)._replace(coupling_rate=0.0)
-    loop = study.channels(log, slice(0, 10), log.parameters)
+    loop = study.channels(log, slice(TRIED), log.parameters)
     estimates = []
     for coupled in (True, False):
-        filter_ = _protocol_particles.auxiliary(known, settings, coupled=coupled)
-        state = filter_.init(Streams(log.seed, "claims", "filter:limits", range(10)))
+        filter_ = _protocol_particles.auxiliary(known, SETTINGS, coupled=coupled)
+        state = filter_.init(
+            Streams(log.seed, "claims", "filter:limits", log.trials[:TRIED].tolist())
+        )
         for k in range(1, 6):
             state = filter_.step(state, k, SimpleNamespace(**loop.at(k, None)))
         estimates.append(filter_.mean(state))
     return [below("difference of estimates after five steps", _gap(*estimates), 1e-12)]
-
-
-_SETTINGS = {"particles": 1000, "resampling": "systematic", "coupling_drawn_per": "particle"}
 
 
 def _gap(first: np.ndarray, second: np.ndarray) -> float:

@@ -14,7 +14,7 @@ from repro.network import energy_harvesting
 from repro.results import Results
 from repro.run import run
 from repro.simulate import simulated
-from repro.studies import _energy_harvesting, study_module
+from repro.studies import _energy_harvesting, _signal_strength, study_module
 
 CLAIMS: list[Claim] = []
 OTHERS = ("pf_ross", "pf_eh", "spf")  # what PF-ROSS-EH is compared with on the same data
@@ -168,11 +168,8 @@ def transmission(results: Results, study: str, point: str, rule: str) -> np.ndar
 
 
 def sent(results: Results, study: str, point: str) -> np.ndarray:
-    """Which sensor transmits when, (trials, K, N)."""
-    log = results.log(study, point)
-    sensors = log.values["/received"].shape[-1]
-    fields = [log.field("/network", f"sent_{i + 1}") for i in range(sensors)]
-    return np.stack(fields, axis=-1)[:, 1:]
+    """Whether each sensor transmits, (trials, K, N)."""
+    return _energy_harvesting.sent(results.log(study, point))[:, 1:]
 
 
 @claim(CLAIMS, "A-C6 cause", "Sec. IV-B: under Pi_2 a sensor transmits less often at every k")
@@ -187,12 +184,7 @@ def harvest_is_the_cause(results):
 
 @claim(CLAIMS, "A-C7", "Fig. 4: in the shown run the output of sensor 4 is saturated at times")
 def saturation_is_seen(results):
-    log = results.log("rss_2d", "base")
-    level = study_module("rss_2d").level(
-        log.parameters, np.moveaxis(log.values["/truth"], 2, 1), SHOWN
-    )
-    beyond = np.abs(level) > log.parameters["saturation_level"]
-    happens = (beyond & (log.field("/network", f"saturation_{SHOWN + 1}") == 1))[:, 1:]
+    happens = _signal_strength.saturated(results.log("rss_2d", "base"), SHOWN)[:, 1:]
     return [
         below("minus the number of such instants in run 0", -happens[0].sum(), -0.5),
         most("a run has one", happens.any(axis=1)),

@@ -48,7 +48,10 @@ def log_probability(
 ) -> tuple[np.ndarray, np.ndarray]:
     """log probability that a reading of this strength is censored so, and its slope."""
     lower, upper = model.censoring.lower - strength, model.censoring.upper - strength
-    density = lambda t: model.noise.log_density(t.copy())  # noqa: E731
+
+    def density(t):
+        return model.noise.log_density(t.copy())
+
     if code == BELOW:
         value = model.noise.log_below(lower)
         return value, -np.exp(density(lower) - value)

@@ -31,6 +31,7 @@ class State(NamedTuple):
     gamma: np.ndarray | None  # gamma(k) of each particle; None before the first packet
     log_weights: np.ndarray  # (trials, particles), up to a constant of the trial
     weights: np.ndarray  # the same, normalised
+    mean: np.ndarray  # xh(k|k), (n, trials)
     degenerate: np.ndarray  # updates so far that left no particle a weight, (trials,)
 
 
@@ -75,6 +76,7 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
             None,
             np.zeros((trials, particles)),
             np.full((trials, particles), 1 / particles),
+            np.repeat(model.initial_mean[:, None], trials, axis=1),
             np.zeros(trials),
         )
 
@@ -88,7 +90,7 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
         arrival = chain.arrival(state.gamma)
         if not optimal:
             gamma = uniforms >= 1 - arrival
-            return gamma, np.where(gamma, likelihood, noise)
+            return gamma, np.where(gamma, likelihood, noise.repeat(particles, axis=1))
         odds = likelihood - noise + log_odds(arrival)
         gamma = np.log(uniforms) - np.log1p(-uniforms) >= -odds
         with np.errstate(divide="ignore"):
@@ -133,9 +135,10 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
             state.draws,
             bank,
             column,
-            gamma.astype(float),
+            gamma,
             log_weights,
             weights,
+            combined(bank.estimate, column, weights),
             state.degenerate + degenerate,
         )
 
@@ -164,16 +167,15 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
         )
         return Bank(*corrected, bank.trial), (np.cumsum(present) - 1).take(triple), triple & 1
 
-    def mean(state):
-        return np.vecdot(of_particles(state.bank.estimate, state.column), state.weights).T  # (16)
+    def combined(values, column, weights):
+        return np.vecdot(of_particles(values, column), weights)  # (16)
 
     def variance(state):
-        of_state = of_particles(_kalman.diagonal(state.bank.covariance, n), state.column)
+        variances = _kalman.diagonal(state.bank.covariance, n)
         if spread:
-            estimates = of_particles(state.bank.estimate, state.column)
-            centre = np.vecdot(estimates, state.weights)[..., None]
-            of_state = of_state + (estimates - centre) ** 2
-        return np.vecdot(of_state, state.weights).T  # (17)
+            centre = state.mean.take(state.bank.trial, axis=1)
+            variances = variances + (state.bank.estimate - centre) ** 2
+        return combined(variances, state.column, state.weights).T  # (17)
 
     def diagnostics(state):
         counts = np.bincount(state.bank.trial, minlength=len(state.weights))
@@ -182,7 +184,7 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
     return Filter(
         init,
         step,
-        mean,
+        mean=lambda state: state.mean.T,
         variance=variance,
         degenerate=lambda state: state.degenerate,
         diagnostics=diagnostics if distinct else None,

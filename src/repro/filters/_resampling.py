@@ -46,18 +46,20 @@ def systematic(weights: np.ndarray, uniform: np.ndarray) -> np.ndarray:
 def multinomial(weights: np.ndarray, uniforms: np.ndarray) -> np.ndarray:
     """Parents (rows, particles), ascending, by multinomial resampling; one uniform a particle.
 
-    Cumulative weights and uniforms are sorted together, as multiples of 2^-40 with the uniforms
-    tagged by their last bit: those below a uniform count its parent. A binary search would branch
-    at random, and cost three times as much.
+    Cumulative weights and uniforms are sorted together, as whole multiples of 2^-40, the uniforms
+    tagged with a half: the weights before a uniform count its parent. A binary search would branch
+    at random, and cost several times as much.
     """
     rows, particles = weights.shape
-    cumulative = np.cumsum(weights, axis=1)
-    cumulative[:, -1] = 1.0  # rounding must not leave a uniform without a parent
-    keys = np.empty((rows, 2 * particles), dtype=np.int64)
-    np.multiply(cumulative, 2.0**40, out=keys[:, :particles], casting="unsafe")
-    np.multiply(uniforms, 2.0**40, out=keys[:, particles:], casting="unsafe")
-    keys *= 2
-    keys[:, particles:] += 1
+    keys = np.empty((rows, 2 * particles))
+    np.cumsum(weights, axis=1, out=keys[:, :particles])
+    keys[:, particles - 1] = 1.0  # rounding must not leave a uniform without a parent
+    keys[:, particles:] = uniforms
+    keys *= 2.0**40
+    np.floor(keys, out=keys)
+    keys[:, particles:] += 0.5
     keys.sort(axis=1)
-    drawn = np.flatnonzero(keys & 1).reshape(rows, particles)
-    return drawn - np.arange(0, keys.size, 2 * particles)[:, None] - np.arange(particles)
+    parents = np.flatnonzero(keys != np.floor(keys)).reshape(rows, particles)
+    parents -= np.arange(0, keys.size, 2 * particles)[:, None]
+    parents -= np.arange(particles)
+    return parents

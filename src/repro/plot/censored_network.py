@@ -108,7 +108,7 @@ def rmse_over_k(results: Results, name: str, target: int) -> Figure:
     """RMSE over k of every filter, a band of two standard errors, and the printed averages."""
     curves = results.curves(name)
     curves = curves[(curves["metric"] == "rmse") & (curves["component"] == f"target_{target}")]
-    published = results.diff("censored_network")
+    published = results.diff()
     here = (published["study"] == name) & (published["component"] == f"target_{target}")
     published = published[here].set_index("filter")["published"]
     drawn, axes = style.figure(size=(7.2, 4.6))
@@ -147,7 +147,7 @@ def rmse_over_k(results: Results, name: str, target: int) -> Figure:
 
 def time_averages(results: Results, name: str) -> Figure:
     """The table of time-averaged RMSE, published and ours, with both standard errors."""
-    diff = results.diff("censored_network")
+    diff = results.diff()
     diff = diff[diff["study"] == name].set_index(["filter", "component"])
     drawn, grid = style.figure(1, 4, size=(9.2, 3.9), sharey=True)
     filters = results.filters(name, POINT)
@@ -205,14 +205,13 @@ def sensitivity(results: Results) -> Figure:
                 place,
                 xerr=2 * rows["mcse"],
                 ms=5,
-                label=label(name, filter_),
+                label=style.label(filter_),
                 **line,
             )
         left.set(xscale="log", xlabel="RMSE in m, mean of the targets and of k", title=MODEL[name])
         left.set_yticks(np.arange(len(readings)), readings, fontsize=8)
         left.invert_yaxis()
         style.plain_log(left, "x")
-        left.legend(fontsize=7)
         orders = table[table["metric"] == "order"]
         columns = list(dict.fromkeys(orders["filter"]))
         for row in orders.itertuples():
@@ -231,5 +230,7 @@ def sensitivity(results: Results) -> Figure:
         ]
         right.set_xticks(np.arange(len(columns)), names, rotation=30, ha="right", fontsize=8)
         right.set_xlim(-0.5, len(columns) - 0.5)
+    legend = grid[0, 0].get_legend_handles_labels()
+    drawn.legend(*legend, fontsize=8, ncols=5, loc="outside upper left")
     grid[0, 1].set_title("order: full holds, ring undecided, cross fails", fontsize=8)
     return drawn

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from repro.network import energy_harvesting
 from repro.plot import style
 from repro.results import Results
-from repro.studies import _energy_harvesting, study_module
+from repro.studies import _energy_harvesting, _signal_strength, study_module
 
 BAND = 2  # standard errors either side
 RUN = 0  # the run that the figures of one run show: the first, whatever it looks like
@@ -114,14 +114,11 @@ def estimates(results: Results, study: str) -> dict[str, np.ndarray]:
 def sensor_of_run(results: Results) -> dict[str, np.ndarray]:
     """What sensor 4 does in the shown run, each (steps + 1,): y, energy, sent, saturated."""
     log = results.log("rss_2d", "base")
-    truth = np.moveaxis(log.values["/truth"][[RUN]], 2, 1)
-    level = study_module("rss_2d").level(log.parameters, truth, SENSOR - 1)[0]
-    gamma = log.field("/network", f"saturation_{SENSOR}")[RUN]
     return {
         "y": log.field("/sensor", f"y_{SENSOR}")[RUN],
         "energy": log.field("/network", f"energy_{SENSOR}")[RUN],
         "sent": log.field("/network", f"sent_{SENSOR}")[RUN] == 1,
-        "saturated": (gamma == 1) & (np.abs(level) > log.parameters["saturation_level"]),
+        "saturated": _signal_strength.saturated(log, SENSOR - 1)[RUN],
     }
 
 
@@ -141,8 +138,7 @@ def transmission(axes: Axes, results: Results, study: str, point: str, last: int
             label=name,
             **look,
         )
-    sensors = log.values["/received"].shape[-1]
-    sent = np.stack([log.field("/network", f"sent_{i + 1}") for i in range(sensors)], axis=-1)
+    sent = _energy_harvesting.sent(log)
     share = sent[:, : last + 1].mean(axis=(0, 2))
-    error = np.sqrt(share * (1 - share) / (len(sent) * sensors))
+    error = np.sqrt(share * (1 - share) / (len(sent) * sent.shape[-1]))
     axes.errorbar(k, share, BAND * error, fmt=".", color="black", ms=4, lw=0.8, label="simulated")

@@ -70,6 +70,13 @@ def error(log, estimate: np.ndarray) -> np.ndarray:
     return estimate - log.values["/truth"]
 
 
+def sent(log) -> np.ndarray:
+    """Whether each sensor transmits, (trials, steps + 1, N)."""
+    sensors = log.values["/received"].shape[-1]
+    of_each = [log.field("/network", f"sent_{i + 1}") for i in range(sensors)]
+    return np.stack(of_each, axis=-1)
+
+
 def squared(runs, axes) -> np.ndarray:
     """Squared error summed over the given components, (trials, steps + 1)."""
     return (runs.error[:, :, list(axes)] ** 2).sum(axis=-1)

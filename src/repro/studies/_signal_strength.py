@@ -58,6 +58,13 @@ def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
     )
 
 
+def saturated(log, i: int) -> np.ndarray:
+    """Where the output of sensor i is saturated, gamma = 1 and |h| > kappa, (trials, steps + 1)."""
+    levels = level(log.parameters, np.moveaxis(log.values["/truth"], 2, 1), i)
+    gamma = log.field("/network", f"saturation_{i + 1}")
+    return (gamma == 1) & (np.abs(levels) > log.parameters["saturation_level"])
+
+
 def model(parameters: dict, draw_prior) -> SensorNetwork:
     time, root = _motion(parameters)
     initial = np.array(parameters["true_initial_state"], dtype=float)

@@ -97,7 +97,6 @@ def model(parameters: dict) -> Model:
 def channels(log, trials: slice, parameters: dict) -> Recorded:
     return Recorded(
         received=log.values["/received"][trials],
-        without_loss=log.values["/sensor"][trials],
         arrival=log.field("/network", "gamma")[trials],
     )
 

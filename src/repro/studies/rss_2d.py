@@ -5,9 +5,9 @@ import numpy as np
 from repro.models.sensor_network import SensorNetwork
 from repro.studies import _energy_harvesting, _signal_strength
 from repro.studies._energy_harvesting import TRIALS_A_BLOCK, channels, error
-from repro.studies._signal_strength import level, lost, simulate
+from repro.studies._signal_strength import lost, simulate
 
-__all__ = ["TRIALS_A_BLOCK", "channels", "error", "level", "lost", "simulate"]
+__all__ = ["TRIALS_A_BLOCK", "channels", "error", "lost", "simulate"]
 
 STATE = _signal_strength.state(2)
 COMPONENTS = _signal_strength.components(2)
