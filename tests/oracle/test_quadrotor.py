@@ -157,3 +157,12 @@ def test_only_the_true_state_sees_the_truth():
     assert [n for n in ("true_state", *ON_THE_ESTIMATE) if "truth" in filter_module(n).SEES] == [
         "true_state"
     ]
+
+
+@pytest.mark.parametrize("name", ["iekf", "rbpf_fast"])
+def test_errors_are_as_large_as_the_filter_claims(name, monkeypatch):
+    """Ensemble mean square against the mean claimed variance, but for the slow position."""
+    monkeypatch.setattr(study, "CLAIMED_VARIANCE", True)
+    runs = flown(disturbances(trials=20, steps=500), name)[1]
+    squared, claimed = (runs.error**2)[:, 100:, :9], runs.claimed[:, 100:, :9]
+    np.testing.assert_allclose(squared.mean((0, 1)) / claimed.mean((0, 1)), 1.0, atol=0.25)
