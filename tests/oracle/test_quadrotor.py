@@ -90,6 +90,7 @@ def test_a_flight_that_tumbles_is_ended_and_stays_finite():
         assert (truth[flight, first - 2] != held[0]).any()
     whole = {f"{metric} {part}": s.value for metric, part, s in study.rows(runs)}
     assert whole["tumbled flight"] == (end < 1501).mean()
+    assert whole["end_time flight"] == pytest.approx(np.minimum(end, 1500).mean() * 0.01)
     assert np.isfinite(list(whole.values())).all()
 
 
