@@ -90,6 +90,7 @@ def test_a_flight_that_tumbles_is_ended_and_stays_finite():
         assert (truth[flight, first - 2] != held[0]).any()
     whole = {f"{metric} {part}": s.value for metric, part, s in study.rows(runs)}
     assert whole["tumbled flight"] == (end < 1501).mean()
+    assert whole["end_time flight"] == pytest.approx(np.minimum(end, 1500).mean() * 0.01)
     assert np.isfinite(list(whole.values())).all()
 
 
@@ -157,3 +158,12 @@ def test_only_the_true_state_sees_the_truth():
     assert [n for n in ("true_state", *ON_THE_ESTIMATE) if "truth" in filter_module(n).SEES] == [
         "true_state"
     ]
+
+
+@pytest.mark.parametrize("name", ["iekf", "rbpf_fast"])
+def test_errors_are_as_large_as_the_filter_claims(name, monkeypatch):
+    """Ensemble mean square against the mean claimed variance, but for the slow position."""
+    monkeypatch.setattr(study, "CLAIMED_VARIANCE", True)
+    runs = flown(disturbances(trials=20, steps=500), name)[1]
+    squared, claimed = (runs.error**2)[:, 100:, :9], runs.claimed[:, 100:, :9]
+    np.testing.assert_allclose(squared.mean((0, 1)) / claimed.mean((0, 1)), 1.0, atol=0.25)

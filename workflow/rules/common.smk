@@ -74,7 +74,7 @@ def runs(name, studies, points="*"):
 
 
 def flights(name):
-    """Second output of a filter's rule in a closed loop: the log of what was flown."""
+    """Second output where a filter closes a loop: the log of what was flown."""
     return f"{RESULTS}/flights/{{study}}/{{point}}/{name}/{{shard}}.mcap"
 
 

@@ -90,13 +90,14 @@ class Flight:
         return self._end <= k
 
     def record(self) -> dict:
-        """Where the flights were, how far from the reference, what was lost, when they ended."""
+        """Positions, distances to the reference, losses, and when each flight ended (step, s)."""
         position = self._truth[:, :, quadrotor.POSITION]
         return {
             "position": position,
             "distance": np.sqrt(((position - self._reference[:, :3]) ** 2).sum(axis=-1)),
             "gamma": self._gamma,
             "end": self._end,
+            "end_time": np.minimum(self._end, len(self._reference) - 1) * self._system.period,
         }
 
     def flown(self) -> dict:

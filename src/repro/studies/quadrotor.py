@@ -200,7 +200,7 @@ def rows(runs):
         squared = (runs.error[..., of] ** 2).sum(axis=-1)
         yield "rmse", component, metrics.root_mean(over_flight(runs, squared))
     yield "tumbled", "flight", metrics.mean(lost(runs).astype(float))
-    yield "end", "flight", metrics.mean(runs.recorded["end"].astype(float))
+    yield "end_time", "flight", metrics.mean(runs.recorded["end_time"])
     if "arrived" in runs.recorded:
         yield "detected", "losses", metrics.mean(share(runs, of=0))
         yield "detected", "arrivals", metrics.mean(share(runs, of=1))
