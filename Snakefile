@@ -8,6 +8,7 @@ include: "workflow/rules/common.smk"
 include: "workflow/rules/simulate.smk"
 include: "workflow/rules/filters.smk"
 include: "workflow/rules/results.smk"
+include: "workflow/rules/pages.smk"
 
 
 rule all:

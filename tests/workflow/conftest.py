@@ -12,8 +12,6 @@ import yaml
 from tests.conftest import ROOT
 
 KEPT = ["Snakefile", "workflow", "src", "params", "profiles", "figures"]
-# What the trimmed copies keep of each study: enough to run every kind of rule in seconds.
-POINTS = {"linear_delays": ["arrival=0.5", "arrival=0.9"]}
 
 
 class Project:
@@ -40,18 +38,13 @@ class Project:
         assert (done.returncode != 0) == fails, said
         return said
 
-    def keep_only(self, study: str, points: list[str]) -> None:
-        """Leave one study with a few points in the parameters, and one paper."""
-        for file in (self.folder / "params").glob("*.yaml"):
-            if file.name == "run.yaml":
-                continue
-            content = yaml.safe_load(file.read_text())
-            if study not in content["studies"]:
-                file.unlink()
-                continue
-            families = content["studies"][study]["points"]
-            content["studies"][study]["points"] = [_fixed(point, families) for point in points]
-            file.write_text(yaml.safe_dump(content, sort_keys=False))
+    def keep_only(self, paper: str, study: str, points: list[str]) -> None:
+        """Leave a study only a few points of its sweep over the arrival probability."""
+        file = self.folder / "params" / f"{paper}.yaml"
+        content = yaml.safe_load(file.read_text())
+        families = content["studies"][study]["points"]
+        content["studies"][study]["points"] = [_fixed(point, families) for point in points]
+        file.write_text(yaml.safe_dump(content, sort_keys=False))
 
     def bytes_of(self, *patterns: str) -> dict[str, bytes]:
         """Content of the files that match, by path."""
@@ -76,7 +69,6 @@ def project(tmp_path):
 
 @pytest.fixture
 def trimmed(project):
-    """The copy with two points of the linear study."""
-    for study, points in POINTS.items():
-        project.keep_only(study, points)
+    """The copy with two points of the linear study of packet delays: few and short jobs."""
+    project.keep_only("packet_delays", "linear_delays", ["arrival=0.5", "arrival=0.9"])
     return project

@@ -1,0 +1,13 @@
+"""Every published value and claim of the paper with its verdict."""
+
+from repro.plot.verdicts import verdicts
+
+NEEDS = {"diff": True}
+CAPTION = (
+    "Verdicts of the energy-harvesting paper. Left: ours over published, with the standard "
+    "errors of both. Right: every comparison that a claim consists of, in standard errors."
+)
+
+
+def draw(results):
+    return verdicts(results, "energy_harvesting")
