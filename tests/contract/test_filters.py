@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from repro.channels import ALWAYS_SEEN
 from repro.run import filter_module, run
 from repro.studies import study_module
 from tests.conftest import points, registered, small_log
@@ -19,7 +20,9 @@ def estimate(log, name, point):
 def test_estimates_are_finite_and_of_the_states_shape(name, study, point):
     log = small_log(study, point)
     found = estimate(log, name, point)
-    assert found.shape == log.values["/truth"].shape
+    states = len(study_module(study).model(log.parameters).initial_mean)
+    truth = log.values.get("/truth", np.empty((5, log.steps, states)))  # a closed loop has none yet
+    assert found.shape == truth.shape
     assert np.isfinite(found).all()
 
 
@@ -34,7 +37,7 @@ def test_same_seed_same_result_and_batches_do_not_matter(name, study, point):
 def test_the_future_is_not_seen(name, study, point):
     log = small_log(study, point)
     values = {topic: array.copy() for topic, array in log.values.items()}
-    for topic in ("/sensor", "/received"):
+    for topic in values.keys() & {"/sensor", "/received"}:
         later = values[topic][:, CHANGED_AFTER + 1 :]
         values[topic][:, CHANGED_AFTER + 1 :] = later[:, ::-1]
     before, after = (estimate(entry, name, point) for entry in (log, log._replace(values=values)))
@@ -44,6 +47,8 @@ def test_the_future_is_not_seen(name, study, point):
 @pytest.mark.parametrize(("name", "study", "point"), FILTERS)
 def test_the_truth_is_not_seen(name, study, point):
     log = small_log(study, point)
+    if "/truth" not in log.values:
+        pytest.skip("a closed loop decides its own truth: tests/oracle looks at what it hands out")
     hidden = log.values | {"/truth": np.full_like(log.values["/truth"], np.nan)}
     np.testing.assert_array_equal(
         estimate(log, name, point), estimate(log._replace(values=hidden), name, point)
@@ -54,7 +59,7 @@ def test_the_truth_is_not_seen(name, study, point):
 def test_undeclared_channels_are_not_seen(name, study, point, monkeypatch):
     log, module = small_log(study, point), study_module(study)
     before = estimate(log, name, point)
-    declared = {*filter_module(name).SEES, "sensor", "earlier_sensors"}
+    declared = {*filter_module(name).SEES, *ALWAYS_SEEN}
     channels = module.channels
 
     def scrambled(*arguments):
