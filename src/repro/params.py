@@ -1,6 +1,7 @@
 """Parameters: every value with its source, validated, and resolved for each point of a study."""
 
 import itertools
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -10,6 +11,8 @@ from jsonschema import Draft202012Validator, ValidationError, validators
 from jsonschema.exceptions import best_match
 
 from repro.errors import ReproError
+
+Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # the same language, ten times faster
 
 
 class ParameterError(ReproError):
@@ -102,7 +105,7 @@ def sources(path: str | Path) -> list[dict]:
 
 def _load(path: str | Path) -> dict:
     try:
-        content = yaml.safe_load(Path(path).read_text())
+        content = yaml.load(Path(path).read_text(), Loader)
     except OSError as error:
         raise ParameterError(f"{path}: cannot be read: {error.strerror}") from None
     except (yaml.YAMLError, UnicodeDecodeError) as error:
@@ -174,12 +177,17 @@ _Validator = validators.extend(
 )
 
 
-def validate(content: dict, schema: Path, where: str, part: str | None = None) -> None:
-    """Check content against a schema file (or one of its `$defs`); one line for the first fault."""
-    definition = yaml.safe_load(schema.read_text())
+@cache
+def _validator(schema: Path, part: str | None):
+    definition = yaml.load(schema.read_text(), Loader)
     if part is not None:
         definition = {"$defs": definition["$defs"], "$ref": f"#/$defs/{part}"}
-    fault = best_match(_Validator(definition).iter_errors(content))
+    return _Validator(definition)
+
+
+def validate(content: dict, schema: Path, where: str, part: str | None = None) -> None:
+    """Check content against a schema file (or one of its `$defs`); one line for the first fault."""
+    fault = best_match(_validator(schema, part).iter_errors(content))
     if fault is not None:
         place = ".".join(str(key) for key in fault.absolute_path)
         raise ParameterError(f"{where}{': ' if place else ''}{place}: {_mend(fault)}")
