@@ -1,13 +1,13 @@
 """What several tests share: the parameters, the registered filters, small logs in memory."""
 
 import ast
-import fnmatch
 import re
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 
+from repro.catalogue import matching_points
 from repro.logs import Log
 from repro.params import Point, load_paper
 from repro.simulate import simulated
@@ -33,15 +33,11 @@ def registered() -> list[tuple[str, str, str]]:
     for call in re.findall(r"^ +(runs\(.*?\))", text, re.DOTALL | re.MULTILINE):
         node = ast.parse(call, mode="eval").body
         options = {keyword.arg: ast.literal_eval(keyword.value) for keyword in node.keywords}
-        patterns = options.get("points", "*")
-        patterns = [patterns] if isinstance(patterns, str) else patterns
         for study in options["studies"]:
-            matching = (
-                point
-                for point in points()[study]
-                if any(fnmatch.fnmatchcase(point, pattern) for pattern in patterns)
+            matching = matching_points(
+                points()[study], options.get("points", "*"), options.get("skip", ())
             )
-            found.append((ast.literal_eval(node.args[0]), study, next(matching)))
+            found.append((ast.literal_eval(node.args[0]), study, matching[0]))
     return found
 
 

@@ -4,8 +4,8 @@ from repro.plot.verdicts import verdicts
 
 NEEDS = {"diff": True}
 CAPTION = (
-    "Verdicts of the energy-harvesting paper. Left: ours over published, with the standard "
-    "errors of both. Right: every comparison that a claim consists of, in standard errors."
+    "Verdicts of the energy-harvesting paper: every comparison that a claim consists of, in "
+    "standard errors. The paper prints no value to compare."
 )
 
 

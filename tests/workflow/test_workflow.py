@@ -3,6 +3,7 @@
 import re
 import shutil
 
+import numpy as np
 import pytest
 
 from tests.conftest import ROOT
@@ -10,9 +11,16 @@ from tests.conftest import ROOT
 TABLE = "results/tables/linear_delays.csv"
 
 
-def readme_example() -> list[str]:
-    """The filter and the rule of README.md, so that they are true."""
-    return re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+def example(page: str) -> list[str]:
+    """The filter and the rule that a page tells its reader to write, so that they are true."""
+    return re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)
+
+
+def add_filter(project, page: str, name: str) -> None:
+    mine, rule = example(page)
+    (project.folder / f"src/repro/filters/{name}.py").write_text(mine)
+    with (project.folder / "workflow/rules/filters.smk").open("a") as rules:
+        rules.write(f"\n\n{rule}")
 
 
 def jobs_of(said: str) -> dict[str, int]:
@@ -66,15 +74,27 @@ def test_a_filter_is_one_file_and_one_rule(trimmed):
     figure = "figures/packet_delays/fig01.png"
     trimmed.snakemake(TABLE, figure, "--config", "trials=4")
     before = (trimmed.folder / figure).read_bytes()
-    mine, rule = readme_example()
-    (trimmed.folder / "src/repro/filters/mine.py").write_text(mine)
-    with (trimmed.folder / "workflow/rules/filters.smk").open("a") as rules:
-        rules.write(f"\n\n{rule}")
+    add_filter(trimmed, "README.md", "mine")
     planned = jobs_of(trimmed.snakemake("-n", TABLE, figure, "--config", "trials=4"))
     assert planned == {"mine": 2, "table": 1, "figure": 1}
     trimmed.snakemake(TABLE, figure, "--config", "trials=4")
     assert ",mine,rmse,x1," in (trimmed.folder / TABLE).read_text()
     assert (trimmed.folder / figure).read_bytes() != before
+
+
+def test_the_worked_example_runs_and_is_the_kalman_filter_where_it_must(trimmed):
+    """docs/add-a-filter.md: in the linear study an unscented filter is the IKF."""
+    add_filter(trimmed, "docs/add-a-filter.md", "ukf")
+    runs = [
+        f"results/runs/{study}/loss=0.3/{name}/0.npz"
+        for study in ("linear_losses", "radar")
+        for name in ("ukf", "iekf")
+    ]
+    trimmed.snakemake(*runs, "--config", "trials=4")
+    ukf, ikf = (np.load(trimmed.folder / path)["error"] for path in runs[:2])
+    np.testing.assert_allclose(ukf, ikf, atol=1e-9)
+    planned = jobs_of(trimmed.snakemake("-n", "results/diff.csv", "--config", "trials=4"))
+    assert planned["ukf"] == 10 + 6 - 2  # every point loss=... of both studies, less those there
 
 
 def test_an_edit_reruns_what_depends_on_it(trimmed):

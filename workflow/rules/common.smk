@@ -1,5 +1,4 @@
 # Configuration, parameters and paths, and what the rules of the filters are written with.
-import fnmatch
 import os
 import subprocess
 import sys
@@ -15,6 +14,7 @@ os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", MKL_NUM_THREADS
 # glibc gives freed memory back at once by default; arrays of every step would cost page faults.
 os.environ.update(MALLOC_TRIM_THRESHOLD_="268435456", MALLOC_MMAP_THRESHOLD_="268435456")
 
+from repro.catalogue import matching_points
 from repro.errors import ReproError
 from repro.params import load_paper, load_run
 from repro.sources import code_files, constants
@@ -58,18 +58,20 @@ wildcard_constraints:
     figure="[a-z0-9_]+",
 
 
-def runs(name, studies, points="*"):
+def runs(name, studies, points="*", skip=()):
     """Output of a filter's rule. Registers the filter on the studies' points that match."""
     for study in studies:
         if study not in CATALOGUE:
+            known = ", ".join(CATALOGUE)
+            sys.exit(f"error: filter {name}: there is no study '{study}'; known are {known}")
+        of_study = {**CATALOGUE[study], **REQUESTED[study]}
+        matching = matching_points(of_study, points, skip)
+        if not matching:
             sys.exit(
-                f"error: filter {name}: there is no study '{study}'; "
-                f"known are {', '.join(CATALOGUE)}"
+                f"error: filter {name}: no point of {study} matches {points}; mend the pattern"
             )
-        patterns = [points] if isinstance(points, str) else points
-        for point, filters in {**CATALOGUE[study], **REQUESTED[study]}.items():
-            if any(fnmatch.fnmatchcase(point, pattern) for pattern in patterns):
-                filters.append(name)
+        for point in matching:
+            of_study[point].append(name)
     return f"{RESULTS}/runs/{{study,{'|'.join(studies)}}}/{{point}}/{name}/{{shard}}.npz"
 
 

@@ -145,7 +145,7 @@ rule ekf:
         runs(
             "ekf",
             studies=["wsn_tracking", "linear_losses", "radar"],
-            points=["[!bpr]*", "poor-*", "pooled-*", "reading-*"],
+            skip=["particles=*", "bkf_2-*", "rbpf-*"],
         ),
     log:
         logfile("ekf"),
@@ -168,7 +168,7 @@ rule iekf:
         runs(
             "iekf",
             studies=["wsn_tracking", "linear_losses", "radar"],
-            points=["[!bpr]*", "poor-*", "pooled-*", "reading-*"],
+            skip=["particles=*", "bkf_2-*", "rbpf-*"],
         ),
     log:
         logfile("iekf"),
@@ -466,7 +466,7 @@ rule bkf_1:
         runs(
             "bkf_1",
             studies=["linear_losses", "radar"],
-            points=["[!bpr]*", "poor-*", "pooled-*", "reading-*"],
+            skip=["particles=*", "bkf_2-*", "rbpf-*"],
         ),
     log:
         logfile("bkf_1"),
@@ -489,7 +489,7 @@ rule bkf_2:
         runs(
             "bkf_2",
             studies=["linear_losses", "radar"],
-            points=["[!pr]*", "poor-*", "pooled-*", "reading-*"],
+            skip=["particles=*", "rbpf-*"],
         ),
     log:
         logfile("bkf_2"),
@@ -509,7 +509,7 @@ rule rbpf:
         log=LOG,
         code=code("repro.run", "repro.filters.rbpf"),
     output:
-        runs("rbpf", studies=["linear_losses", "radar"], points=["[!bp]*", "particles=*", "poor-*"]),
+        runs("rbpf", studies=["linear_losses", "radar"], skip=["bkf_2-*", "pooled-*"]),
     log:
         logfile("rbpf"),
     benchmark:

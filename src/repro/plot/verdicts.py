@@ -25,8 +25,13 @@ def verdicts(results: Results, paper: str) -> Figure:
     exact = (values["their_error"] == 0) & (values["verdict"] == "match")
     shown = values[~exact]
     rows = max(len(shown), len(claims), 4)
-    drawn, (left, right) = style.figure(1, 2, size=(11.0, 1.4 + 0.24 * rows))
-    _draw_values(left, shown, int(exact.sum()))
+    shares = {"width_ratios": [1, 1] if len(shown) > 4 else [1, 2]}
+    size = (11.0, 1.4 + 0.24 * rows)
+    if len(shown):
+        drawn, (left, right) = style.figure(1, 2, size=size, gridspec_kw=shares)
+        _draw_values(left, shown, int(exact.sum()))
+    else:
+        drawn, right = style.figure(size=size)
     _draw_claims(right, claims, results.claims(paper))
     return drawn
 
@@ -41,14 +46,14 @@ def _draw_values(axes, values, exact: int) -> None:
     axes.errorbar(ratio, place, xerr=error, fmt="none", ecolor=colours)
     axes.scatter(ratio, place, color=colours, s=18, zorder=3)
     axes.axvline(1, color="black", lw=1)
-    also = f"; {exact} exact values match and are not drawn" if exact else ""
+    also = f"; {exact} exact ones match" if exact else ""
     axes.set(
         yticks=place,
         yticklabels=values["item"],
-        xlabel="ours / published (grey: the standard error of theirs)",
-        title=f"Published values{also}" if len(values) else f"{exact} exact values match",
+        xlabel="ours / published (grey: their error)",
+        title=f"Published values{also}",
+        ylim=(max(len(values), 4) - 0.5, -0.5),
     )
-    axes.invert_yaxis()
 
 
 def _draw_claims(axes, claims, parts) -> None:
@@ -65,7 +70,7 @@ def _draw_claims(axes, claims, parts) -> None:
         yticks=np.arange(len(names)),
         yticklabels=[f"{n}: {v}" for n, v in zip(names, claims["verdict"], strict=True)],
         xlim=(-LARGEST - 0.5, LARGEST + 0.5),
-        xlabel="standard errors in favour of the claim (grey: undecided)",
+        xlabel="standard errors in favour (grey: undecided)",
         title="Claims, every comparison",
     )
     axes.invert_yaxis()
