@@ -4,6 +4,7 @@ import resource
 import sys
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 from repro.errors import ReproError
@@ -16,9 +17,18 @@ def job(log: str, work: Callable[[], object]) -> None:
     try:
         work()
     except ReproError as error:
-        Path(log).write_text(f"error: {error}\n")
-        sys.exit(f"error: {error}")
+        _end(log, str(error))
+    except OSError as error:  # a full disk, a folder that cannot be written
+        _end(
+            log, f"{error.filename or 'a result'}: {error.strerror or error}: mend it and run again"
+        )
     Path(log).write_text(f"{USAGE} cpu_s={time.process_time():.3f} peak_mb={_peak_mb():.1f}\n")
+
+
+def _end(log: str, fault: str) -> None:
+    with suppress(OSError):  # the log may be on the same full disk
+        Path(log).write_text(f"error: {fault}\n")
+    sys.exit(f"error: {fault}")
 
 
 def _peak_mb() -> float:

@@ -1,0 +1,39 @@
+"""A job's end: its usage, or one line on a fault."""
+
+import pytest
+
+from repro.errors import ReproError
+from repro.job import USAGE, job
+
+
+def test_usage_is_logged(tmp_path):
+    job(tmp_path / "log", lambda: sum(range(1000)))
+    assert (tmp_path / "log").read_text().startswith(USAGE)
+
+
+@pytest.mark.parametrize(
+    ("fault", "said"),
+    [
+        (ReproError("a.mcap: topic /x: missing"), "error: a.mcap: topic /x: missing"),
+        (
+            OSError(28, "No space left on device", "a.npz"),
+            "error: a.npz: No space left on device: mend it and run again",
+        ),
+    ],
+)
+def test_a_fault_ends_in_one_line(fault, said, tmp_path):
+    def work():
+        raise fault
+
+    with pytest.raises(SystemExit) as ended:
+        job(tmp_path / "log", work)
+    assert str(ended.value) == said
+    assert (tmp_path / "log").read_text() == said + "\n"
+
+
+def test_a_log_on_the_full_disk_is_no_second_fault(tmp_path):
+    def work():
+        raise OSError(28, "No space left on device", "a.npz")
+
+    with pytest.raises(SystemExit, match=r"a\.npz: No space left"):
+        job(tmp_path / "no folder" / "log", work)
