@@ -41,4 +41,4 @@ def test_figures_say_what_they_read():
     assert scripts
     for script in scripts:
         found = constants(str(script))
-        assert found["NEEDS"] and found["CAPTION"], script
+        assert isinstance(found["NEEDS"], dict) and found["CAPTION"], script
