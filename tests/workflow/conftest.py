@@ -32,7 +32,7 @@ class Project:
         command = [sys.executable, "-m", "snakemake", "-j2", *arguments]
         environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
         done = subprocess.run(
-            command, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=280
+            command, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=600
         )
         said = done.stdout + done.stderr
         assert (done.returncode != 0) == fails, said

@@ -33,17 +33,18 @@ def test_lint_is_clean(project):
     assert "in a good condition" in project.snakemake("--lint")
 
 
-def test_smoke_run_is_complete(project):
-    """Every rule of every paper, with a few trials; a second run has nothing to do."""
-    smoke = ("--profile", "profiles/smoke")
-    assert "values:" in project.snakemake(*smoke)  # the tally
-    assert "Nothing to be done" in project.snakemake(*smoke)
-    for result in ("diff.csv", "diff.md", "parameters.csv", "manifest.json", "tally.txt"):
-        assert (project.folder / "smoke" / "results" / result).stat().st_size > 0
-    pictures = {
-        path.stem for path in (project.folder / "smoke/figures/packet_delays").glob("*.png")
-    }
-    assert pictures == {path.stem for path in (ROOT / "figures/packet_delays").glob("*.py")}
+def test_a_paper_runs_end_to_end(project):
+    """The smoke profile on one paper; a second run has nothing to do.
+
+    CI runs all papers in earnest, up to diff, manifest and tally, before these tests.
+    """
+    drawn = [*(f"fig{i:02d}" for i in range(1, 11)), "readings", "table01"]
+    made = ["claims/packet_delays.csv", "tables/packet_example.csv", "parameters.csv"]
+    targets = [f"smoke/figures/packet_delays/{name}.png" for name in drawn]
+    targets += [f"smoke/results/{name}" for name in made]
+    project.snakemake(*targets, "--profile", "profiles/smoke")
+    assert "Nothing to be done" in project.snakemake(*targets, "--profile", "profiles/smoke")
+    assert all((project.folder / target).stat().st_size > 0 for target in targets)
 
 
 def test_a_rebuild_is_byte_identical(trimmed):
