@@ -2,6 +2,7 @@
 
 import ast
 from functools import cache
+from hashlib import sha256
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
@@ -26,6 +27,18 @@ def code_files(*starts: str) -> list[str]:
             reached.add(file)
             todo += _imported(file)
     return sorted(str(file.relative_to(SOURCE.parent)) for file in reached)
+
+
+@cache
+def code_digest(*starts: str) -> str:
+    """Digest of the reached files: an edit changes it, a new time stamp does not."""
+    digests = [f"{file} {_digest(SOURCE.parent / file)}" for file in code_files(*starts)]
+    return sha256("\n".join(digests).encode()).hexdigest()
+
+
+@cache
+def _digest(file: Path) -> str:
+    return sha256(file.read_bytes()).hexdigest()
 
 
 def _module_files(module: str) -> list[Path]:

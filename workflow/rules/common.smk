@@ -17,7 +17,7 @@ os.environ.update(MALLOC_TRIM_THRESHOLD_="268435456", MALLOC_MMAP_THRESHOLD_="26
 from repro.catalogue import matching_points
 from repro.errors import ReproError
 from repro.params import load_paper, load_run
-from repro.sources import code_files, constants
+from repro.sources import code_digest, constants
 
 PARAMETER_FILES = sorted(path for path in Path("params").glob("*.yaml") if path.name != "run.yaml")
 try:
@@ -86,14 +86,17 @@ def settings(name):
 
 
 def code(*modules):
-    """Input: the source files that the modules reach, the study's with them; {paper} is filled in."""
+    """Parameter: the code that the modules reach, the study's with it; {paper} is filled in.
 
-    def files(wildcards):
+    A digest, not input files: some thirty a job would cost the scheduler more than the jobs take.
+    """
+
+    def digest(wildcards):
         found = dict(wildcards.items())
         study = [f"repro.studies.{found['study']}"] if "study" in found else []
-        return code_files("repro.job", *(module.format(**found) for module in modules), *study)
+        return code_digest("repro.job", *(module.format(**found) for module in modules), *study)
 
-    return files
+    return digest
 
 
 def logfile(rule, *wildcards):

@@ -5,7 +5,6 @@
 rule omvf:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.omvf"),
     output:
         runs("omvf", studies=["linear_delays"]),
     log:
@@ -17,6 +16,7 @@ rule omvf:
     params:
         name="omvf",
         settings=settings("omvf"),
+        code=code("repro.run", "repro.filters.omvf"),
     script:
         RUN_FILTER
 
@@ -24,7 +24,6 @@ rule omvf:
 rule nahi:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.nahi"),
     output:
         runs("nahi", studies=["linear_delays"]),
     log:
@@ -36,6 +35,7 @@ rule nahi:
     params:
         name="nahi",
         settings=settings("nahi"),
+        code=code("repro.run", "repro.filters.nahi"),
     script:
         RUN_FILTER
 
@@ -43,9 +43,6 @@ rule nahi:
 rule intermittent_kf:
     input:
         log=LOG,
-        code=code(
-            "repro.job", "repro.run", "repro.filters.intermittent_kf", "repro.studies.{study}"
-        ),
     output:
         runs("intermittent_kf", studies=["linear_delays"]),
     log:
@@ -57,6 +54,7 @@ rule intermittent_kf:
     params:
         name="intermittent_kf",
         settings=settings("intermittent_kf"),
+        code=code("repro.run", "repro.filters.intermittent_kf"),
     script:
         RUN_FILTER
 
@@ -64,7 +62,6 @@ rule intermittent_kf:
 rule sun:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.sun"),
     output:
         runs("sun", studies=["linear_delays"]),
     log:
@@ -76,6 +73,7 @@ rule sun:
     params:
         name="sun",
         settings=settings("sun"),
+        code=code("repro.run", "repro.filters.sun"),
     script:
         RUN_FILTER
 
@@ -83,7 +81,6 @@ rule sun:
 rule genie:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.genie"),
     output:
         runs("genie", studies=["linear_delays"]),
     log:
@@ -95,6 +92,7 @@ rule genie:
     params:
         name="genie",
         settings=settings("genie"),
+        code=code("repro.run", "repro.filters.genie"),
     script:
         RUN_FILTER
 
@@ -102,7 +100,6 @@ rule genie:
 rule best_in_form:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.best_in_form"),
     output:
         runs("best_in_form", studies=["linear_delays"]),
     log:
@@ -114,6 +111,7 @@ rule best_in_form:
     params:
         name="best_in_form",
         settings=settings("best_in_form"),
+        code=code("repro.run", "repro.filters.best_in_form"),
     script:
         RUN_FILTER
 
@@ -121,7 +119,6 @@ rule best_in_form:
 rule emvf:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.emvf"),
     output:
         runs("emvf", studies=["wsn_tracking"]),
     log:
@@ -133,6 +130,7 @@ rule emvf:
     params:
         name="emvf",
         settings=settings("emvf"),
+        code=code("repro.run", "repro.filters.emvf"),
     script:
         RUN_FILTER
 
@@ -140,7 +138,6 @@ rule emvf:
 rule ekf:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.ekf"),
     output:
         runs(
             "ekf",
@@ -156,6 +153,7 @@ rule ekf:
     params:
         name="ekf",
         settings=settings("ekf"),
+        code=code("repro.run", "repro.filters.ekf"),
     script:
         RUN_FILTER
 
@@ -163,7 +161,6 @@ rule ekf:
 rule iekf:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.iekf"),
     output:
         runs(
             "iekf",
@@ -179,6 +176,7 @@ rule iekf:
     params:
         name="iekf",
         settings=settings("iekf"),
+        code=code("repro.run", "repro.filters.iekf"),
     script:
         RUN_FILTER
 
@@ -186,7 +184,6 @@ rule iekf:
 rule emvf_realised:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.emvf_realised"),
     output:
         runs(
             "emvf_realised",
@@ -202,6 +199,7 @@ rule emvf_realised:
     params:
         name="emvf_realised",
         settings=settings("emvf_realised"),
+        code=code("repro.run", "repro.filters.emvf_realised"),
     script:
         RUN_FILTER
 
@@ -209,7 +207,6 @@ rule emvf_realised:
 rule mapf:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.mapf"),
     output:
         runs("mapf", studies=["deadband", "saturation"]),
     log:
@@ -221,6 +218,7 @@ rule mapf:
     params:
         name="mapf",
         settings=settings("mapf"),
+        code=code("repro.run", "repro.filters.mapf"),
     script:
         RUN_FILTER
 
@@ -228,7 +226,6 @@ rule mapf:
 rule mapf_nc:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.mapf_nc"),
     output:
         runs("mapf_nc", studies=["deadband", "saturation"]),
     log:
@@ -240,6 +237,7 @@ rule mapf_nc:
     params:
         name="mapf_nc",
         settings=settings("mapf_nc"),
+        code=code("repro.run", "repro.filters.mapf_nc"),
     script:
         RUN_FILTER
 
@@ -247,7 +245,6 @@ rule mapf_nc:
 rule mapf_nmc:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.mapf_nmc"),
     output:
         runs("mapf_nmc", studies=["deadband", "saturation"]),
     log:
@@ -259,6 +256,7 @@ rule mapf_nmc:
     params:
         name="mapf_nmc",
         settings=settings("mapf_nmc"),
+        code=code("repro.run", "repro.filters.mapf_nmc"),
     script:
         RUN_FILTER
 
@@ -266,7 +264,6 @@ rule mapf_nmc:
 rule mpf:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.mpf"),
     output:
         runs("mpf", studies=["deadband", "saturation"]),
     log:
@@ -278,6 +275,7 @@ rule mpf:
     params:
         name="mpf",
         settings=settings("mpf"),
+        code=code("repro.run", "repro.filters.mpf"),
     script:
         RUN_FILTER
 
@@ -285,7 +283,6 @@ rule mpf:
 rule dead_reckoning:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.dead_reckoning"),
     output:
         runs("dead_reckoning", studies=["deadband", "saturation"]),
     log:
@@ -297,6 +294,7 @@ rule dead_reckoning:
     params:
         name="dead_reckoning",
         settings=settings("dead_reckoning"),
+        code=code("repro.run", "repro.filters.dead_reckoning"),
     script:
         RUN_FILTER
 
@@ -304,7 +302,6 @@ rule dead_reckoning:
 rule pf_ross_eh:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.pf_ross_eh"),
     output:
         runs("pf_ross_eh", studies=["ungm", "rss_2d", "rss_3d"]),
     log:
@@ -316,6 +313,7 @@ rule pf_ross_eh:
     params:
         name="pf_ross_eh",
         settings=settings("pf_ross_eh"),
+        code=code("repro.run", "repro.filters.pf_ross_eh"),
     script:
         RUN_FILTER
 
@@ -323,7 +321,6 @@ rule pf_ross_eh:
 rule pf_ross:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.pf_ross"),
     output:
         runs(
             "pf_ross",
@@ -339,6 +336,7 @@ rule pf_ross:
     params:
         name="pf_ross",
         settings=settings("pf_ross"),
+        code=code("repro.run", "repro.filters.pf_ross"),
     script:
         RUN_FILTER
 
@@ -346,7 +344,6 @@ rule pf_ross:
 rule pf_eh:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.pf_eh"),
     output:
         runs(
             "pf_eh",
@@ -362,6 +359,7 @@ rule pf_eh:
     params:
         name="pf_eh",
         settings=settings("pf_eh"),
+        code=code("repro.run", "repro.filters.pf_eh"),
     script:
         RUN_FILTER
 
@@ -369,7 +367,6 @@ rule pf_eh:
 rule spf:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.spf"),
     output:
         runs(
             "spf",
@@ -385,6 +382,7 @@ rule spf:
     params:
         name="spf",
         settings=settings("spf"),
+        code=code("repro.run", "repro.filters.spf"),
     script:
         RUN_FILTER
 
@@ -392,7 +390,6 @@ rule spf:
 rule spf_im:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.spf_im"),
     output:
         runs(
             "spf_im",
@@ -408,6 +405,7 @@ rule spf_im:
     params:
         name="spf_im",
         settings=settings("spf_im"),
+        code=code("repro.run", "repro.filters.spf_im"),
     script:
         RUN_FILTER
 
@@ -415,7 +413,6 @@ rule spf_im:
 rule pf_ross_eh_exact:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.pf_ross_eh_exact"),
     output:
         runs(
             "pf_ross_eh_exact",
@@ -431,6 +428,7 @@ rule pf_ross_eh_exact:
     params:
         name="pf_ross_eh_exact",
         settings=settings("pf_ross_eh_exact"),
+        code=code("repro.run", "repro.filters.pf_ross_eh_exact"),
     script:
         RUN_FILTER
 
@@ -438,7 +436,6 @@ rule pf_ross_eh_exact:
 rule pf_ross_eh_joint:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.pf_ross_eh_joint"),
     output:
         runs(
             "pf_ross_eh_joint",
@@ -454,6 +451,7 @@ rule pf_ross_eh_joint:
     params:
         name="pf_ross_eh_joint",
         settings=settings("pf_ross_eh_joint"),
+        code=code("repro.run", "repro.filters.pf_ross_eh_joint"),
     script:
         RUN_FILTER
 
@@ -461,7 +459,6 @@ rule pf_ross_eh_joint:
 rule bkf_1:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.bkf_1"),
     output:
         runs(
             "bkf_1",
@@ -477,6 +474,7 @@ rule bkf_1:
     params:
         name="bkf_1",
         settings=settings("bkf_1"),
+        code=code("repro.run", "repro.filters.bkf_1"),
     script:
         RUN_FILTER
 
@@ -484,7 +482,6 @@ rule bkf_1:
 rule bkf_2:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.bkf_2"),
     output:
         runs(
             "bkf_2",
@@ -500,6 +497,7 @@ rule bkf_2:
     params:
         name="bkf_2",
         settings=settings("bkf_2"),
+        code=code("repro.run", "repro.filters.bkf_2"),
     script:
         RUN_FILTER
 
@@ -507,7 +505,6 @@ rule bkf_2:
 rule rbpf:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.rbpf"),
     output:
         runs("rbpf", studies=["linear_losses", "radar"], skip=["bkf_2-*", "pooled-*"]),
     log:
@@ -519,6 +516,7 @@ rule rbpf:
     params:
         name="rbpf",
         settings=settings("rbpf"),
+        code=code("repro.run", "repro.filters.rbpf"),
     script:
         RUN_FILTER
 
@@ -526,7 +524,6 @@ rule rbpf:
 rule rbpf_fast:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.rbpf_fast"),
     output:
         runs(
             "rbpf_fast",
@@ -542,6 +539,7 @@ rule rbpf_fast:
     params:
         name="rbpf_fast",
         settings=settings("rbpf_fast"),
+        code=code("repro.run", "repro.filters.rbpf_fast"),
     script:
         RUN_FILTER
 
@@ -549,7 +547,6 @@ rule rbpf_fast:
 rule exact:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.exact"),
     output:
         runs(
             "exact",
@@ -565,6 +562,7 @@ rule exact:
     params:
         name="exact",
         settings=settings("exact"),
+        code=code("repro.run", "repro.filters.exact"),
     script:
         RUN_FILTER
 
@@ -575,7 +573,6 @@ rule exact:
 rule true_state:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.true_state"),
     output:
         runs("true_state", studies=["quadrotor"]),
         flight=flights("true_state"),
@@ -588,6 +585,7 @@ rule true_state:
     params:
         name="true_state",
         settings=settings("true_state"),
+        code=code("repro.run", "repro.filters.true_state"),
     script:
         RUN_FILTER
 
@@ -595,7 +593,6 @@ rule true_state:
 rule ekf_no_loss:
     input:
         log=LOG,
-        code=code("repro.run", "repro.filters.ekf_no_loss"),
     output:
         runs("ekf_no_loss", studies=["quadrotor"]),
         flight=flights("ekf_no_loss"),
@@ -608,6 +605,7 @@ rule ekf_no_loss:
     params:
         name="ekf_no_loss",
         settings=settings("ekf_no_loss"),
+        code=code("repro.run", "repro.filters.ekf_no_loss"),
     script:
         RUN_FILTER
 
@@ -638,6 +636,7 @@ use rule rbpf_fast as fly_rbpf with:
     params:
         name="rbpf_fast",
         settings=settings("rbpf"),
+        code=code("repro.run", "repro.filters.rbpf_fast"),
 
 
 use rule ekf as fly_ekf with:

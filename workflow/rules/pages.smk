@@ -4,7 +4,6 @@ rule assumptions:
         files=PARAMETER_FILES,
         published=[f"params/published/{paper}.csv" for paper in PAPERS],
         tables=expand(f"{RESULTS}/tables/{{study}}.csv", study=STUDIES),
-        code=code("repro.assumptions"),
     output:
         f"{RESULTS}/assumptions.md",
     log:
@@ -25,6 +24,7 @@ rule assumptions:
             for paper, content in PAPERS.items()
         },
         tolerance=RUN["tolerance"],
+        code=code("repro.assumptions"),
     script:
         "../scripts/assumptions.py"
 
@@ -32,7 +32,6 @@ rule assumptions:
 rule gallery:
     input:
         scripts=sorted(str(path) for path in Path("figures").glob("*/*.py")),
-        code=code("repro.gallery"),
     output:
         f"{FIGURES}/README.md",
     log:
@@ -42,6 +41,7 @@ rule gallery:
     params:
         titles={"overview": "All papers."}
         | {paper: f"{content.authors}: {content.title}." for paper, content in PAPERS.items()},
+        code=code("repro.gallery"),
     script:
         "../scripts/gallery.py"
 
@@ -59,7 +59,6 @@ rule manifest:
         ],
         logs=[file for study in STUDIES for file in log_files(study)],
         figures=[*figure_files(), rules.gallery.output],
-        code=code("repro.manifest"),
     output:
         f"{RESULTS}/manifest.json",
     log:
@@ -69,6 +68,7 @@ rule manifest:
     params:
         commit=commit(),
         seed=RUN["root_seed"],
+        code=code("repro.manifest"),
     script:
         "../scripts/manifest.py"
 
@@ -102,7 +102,6 @@ rule view:
     input:
         logs=lambda wildcards: log_files(wildcards.study, [wildcards.point]),
         runs=lambda wildcards: run_files(wildcards.study, [wildcards.point]),
-        code=code("repro.view"),
     output:
         view=f"{RESULTS}/views/{{study}}/{{point}}/trial-{{trial}}.mcap",
         layout=f"{RESULTS}/views/{{study}}/{{point}}/trial-{{trial}}.layout.json",
@@ -116,6 +115,7 @@ rule view:
         results=lambda wildcards: RESULTS,
         catalogue=lambda wildcards: catalogue(wildcards.study),
         shards=len(SHARDS),
+        code=code("repro.view"),
     script:
         "../scripts/view.py"
 
@@ -123,13 +123,14 @@ rule view:
 rule archive:
     input:
         manifest=f"{RESULTS}/manifest.json",
-        code=code("repro.archive"),
     output:
         f"{RESULTS}/archive.zip",
     log:
         f"{RESULTS}/job_logs/archive.log",
     conda:
         ENVIRONMENT
+    params:
+        code=code("repro.archive"),
     script:
         "../scripts/archive.py"
 
@@ -137,9 +138,6 @@ rule archive:
 rule own:
     input:
         log=lambda wildcards: asked("log"),
-        code=lambda wildcards: code_files(
-            "repro.own", f"repro.filters.{wildcards.filter}", f"repro.studies.{asked('study')}"
-        ),
     output:
         f"{RESULTS}/own/{{filter}}.csv",
     log:
@@ -155,5 +153,8 @@ rule own:
             "parameters": asked_point().parameters,
             "settings": asked_point().filters.get(wildcards.filter, {}),
         },
+        code=lambda wildcards: code_digest(
+            "repro.own", f"repro.filters.{wildcards.filter}", f"repro.studies.{asked('study')}"
+        ),
     script:
         "../scripts/own.py"

@@ -2,7 +2,6 @@
 rule table:
     input:
         runs=lambda wildcards: run_files(wildcards.study),
-        code=code("repro.tables"),
     output:
         table=report(
             f"{RESULTS}/tables/{{study}}.csv",
@@ -23,13 +22,12 @@ rule table:
         results=lambda wildcards: RESULTS,
         catalogue=lambda wildcards: catalogue(wildcards.study),
         shards=len(SHARDS),
+        code=code("repro.tables"),
     script:
         "../scripts/table.py"
 
 
 rule packet_example:
-    input:
-        code=code("repro.tables"),
     output:
         f"{RESULTS}/tables/packet_example.csv",
     log:
@@ -38,6 +36,7 @@ rule packet_example:
         ENVIRONMENT
     params:
         example=PAPERS["packet_delays"].examples["table_1"],
+        code=code("repro.tables"),
     script:
         "../scripts/packet_example.py"
 
@@ -45,7 +44,6 @@ rule packet_example:
 rule sensitivity:
     input:
         runs=lambda wildcards: sensitivity_runs(wildcards.study),
-        code=code("repro.sensitivity"),
     output:
         f"{RESULTS}/tables/{{study}}_sensitivity.csv",
     log:
@@ -64,13 +62,12 @@ rule sensitivity:
         shards=len(SHARDS),
         prefix=ON_REQUEST,
         tolerance=RUN["tolerance"],
+        code=code("repro.sensitivity"),
     script:
         "../scripts/sensitivity.py"
 
 
 rule complexity:
-    input:
-        code=code("repro.tables", "repro.textbook"),
     output:
         f"{RESULTS}/tables/complexity.csv",
     log:
@@ -81,6 +78,7 @@ rule complexity:
         n=6,
         m=2,
         particles=STUDIES["radar"]["loss=0.5"].filters["rbpf"]["particles"],
+        code=code("repro.tables", "repro.textbook"),
     script:
         "../scripts/complexity.py"
 
@@ -94,7 +92,6 @@ rule claims:
             file for study in PAPERS[wildcards.paper].studies for file in log_files(study)
         ],
         measured=lambda wildcards: measured_files(wildcards.paper),
-        code=code("repro.claims.{paper}"),
     output:
         f"{RESULTS}/claims/{{paper}}.csv",
     log:
@@ -108,6 +105,7 @@ rule claims:
         catalogue=lambda wildcards: catalogue(*PAPERS[wildcards.paper].studies),
         shards=len(SHARDS),
         tolerance=RUN["tolerance"],
+        code=code("repro.claims.{paper}"),
     script:
         "../scripts/claims.py"
 
@@ -117,7 +115,6 @@ rule diff:
         published=[f"params/published/{paper}.csv" for paper in PAPERS],
         claims=[f"{RESULTS}/claims/{paper}.csv" for paper in PAPERS],
         tables=[file for paper in PAPERS for file in table_files(paper)],
-        code=code("repro.published"),
     output:
         csv=report(
             f"{RESULTS}/diff.csv",
@@ -143,6 +140,7 @@ rule diff:
             for paper in PAPERS
         },
         tolerance=RUN["tolerance"],
+        code=code("repro.published"),
     script:
         "../scripts/diff.py"
 
@@ -151,7 +149,6 @@ rule figure:
     input:
         figure_inputs,
         script="figures/{paper}/{figure}.py",
-        code=code("repro.plot.draw", "figures/{paper}/{figure}.py"),
     output:
         report(
             f"{FIGURES}/{{paper}}/{{figure}}.png",
@@ -173,6 +170,7 @@ rule figure:
         caption=lambda wildcards: constants(f"figures/{wildcards.paper}/{wildcards.figure}.py")[
             "CAPTION"
         ],
+        code=code("repro.plot.draw", "figures/{paper}/{figure}.py"),
     script:
         "../scripts/figure.py"
 
@@ -180,7 +178,6 @@ rule figure:
 rule parameters:
     input:
         files=PARAMETER_FILES,
-        code=code("repro.params", "repro.tables"),
     output:
         report(
             f"{RESULTS}/parameters.csv",
@@ -192,5 +189,7 @@ rule parameters:
         f"{RESULTS}/job_logs/parameters.log",
     conda:
         ENVIRONMENT
+    params:
+        code=code("repro.params", "repro.tables"),
     script:
         "../scripts/parameters.py"

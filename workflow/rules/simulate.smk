@@ -1,7 +1,5 @@
 # Stop 2 of the data: ground truth and impaired measurements as logs.
 rule simulate:
-    input:
-        code=code("repro.simulate"),
     output:
         log=LOG,
     log:
@@ -14,5 +12,6 @@ rule simulate:
         parameters=lambda wildcards: STUDIES[wildcards.study][wildcards.point].parameters,
         seed=RUN["root_seed"],
         trials=lambda wildcards: trial_range(*wildcards),
+        code=code("repro.simulate"),
     script:
         "../scripts/simulate.py"

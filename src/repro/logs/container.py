@@ -28,9 +28,8 @@ from mcap.records import (
     Statistics,
     SummaryOffset,
 )
-from mcap.writer import MCAP0_MAGIC
 
-from repro.logs.format import CRC, FOOTER_HEAD, RECORD_HEAD, index_dtype
+from repro.logs.format import CRC, FOOTER_HEAD, MAGIC, RECORD_HEAD, index_dtype
 
 
 def _bytes(record: McapRecord) -> bytes:
@@ -52,7 +51,7 @@ class Container:
         self._counts: dict[int, int] = {}
         self._times: list[int] = []
         self._compressor = zstandard.ZstdCompressor()
-        self._put(MCAP0_MAGIC)
+        self._put(MAGIC)
         self._put(_bytes(Header(profile, library)))
 
     def _put(self, data: bytes) -> tuple[int, int]:
@@ -155,7 +154,7 @@ class Container:
         summary += offsets
         head = _bytes(Footer(start, offset_start, 0))[:FOOTER_HEAD]
         footer = head + CRC.pack(zlib.crc32(summary + head))
-        self._stream.write(end + summary + footer + MCAP0_MAGIC)
+        self._stream.write(end + summary + footer + MAGIC)
 
 
 def _message_index(channel: int, records: np.ndarray) -> bytes:

@@ -10,12 +10,12 @@ import numpy as np
 from mcap.data_stream import ReadDataStream
 from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Chunk, Footer, Metadata, Schema
-from mcap.stream_reader import MAGIC_SIZE, get_chunk_data_stream
-from mcap.writer import MCAP0_MAGIC
+from mcap.stream_reader import get_chunk_data_stream
 
 from repro.logs.format import (
     CRC,
     FOOTER_HEAD,
+    MAGIC,
     PARAMETERS,
     PROVENANCE,
     RECORD_HEAD,
@@ -55,9 +55,9 @@ class Content:
             ) from None
 
     def _read(self, data: bytes) -> None:
-        if data[:MAGIC_SIZE] != MCAP0_MAGIC or data[-MAGIC_SIZE:] != MCAP0_MAGIC:
+        if not (data.startswith(MAGIC) and data.endswith(MAGIC)):
             raise ValueError("no MCAP magic at both ends")
-        self._walk(data, MAGIC_SIZE, len(data) - MAGIC_SIZE)
+        self._walk(data, len(MAGIC), len(data) - len(MAGIC))
         if self._closed != {Opcode.DATA_END, Opcode.FOOTER}:
             raise ValueError("no end of the data section, or no footer")
 
