@@ -7,6 +7,7 @@ from rocrate.rocrate import ROCrate
 
 from repro.errors import ReproError
 from repro.manifest import check_manifest
+from repro.whole import whole
 
 KINDS = {".csv": "text/csv", ".md": "text/markdown", ".txt": "text/plain", ".png": "image/png"}
 
@@ -30,4 +31,5 @@ def write_archive(manifest: str | Path, licence: str, path: str | Path) -> None:
             crate.add_file(name, name, properties={"encodingFormat": kind, "sha256": digest})
     if not any(name.endswith("diff.csv") for name in files):
         raise ReproError(f"{manifest}: names no diff.csv: run snakemake again")
-    crate.write_zip(path)
+    with whole(path) as part:
+        crate.write_zip(part)

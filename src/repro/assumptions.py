@@ -7,6 +7,7 @@ import pandas as pd
 
 from repro.params import sources
 from repro.published import compare_value, read_published
+from repro.whole import whole
 
 IDENTITY = ["filter", "metric", "component"]
 READINGS = ("reading-", "as-printed-", "sensitivity-")
@@ -107,7 +108,8 @@ def write_assumptions(papers: dict[str, dict], tolerance: float, path: str | Pat
             rows = list(reading_rows(table, of_study, points, tolerance))
             if rows:
                 text += [f"### Readings of {study}", "", _table(rows), ""]
-    Path(path).write_text("\n".join(text))
+    with whole(path) as part:
+        part.write_text("\n".join(text))
 
 
 def _table(rows: list[dict]) -> str:

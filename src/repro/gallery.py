@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from repro.sources import constants
+from repro.whole import whole
 
 
 def write_gallery(scripts: list[str], titles: dict[str, str], path: str | Path) -> None:
@@ -15,4 +16,5 @@ def write_gallery(scripts: list[str], titles: dict[str, str], path: str | Path) 
                 caption = constants(str(script))["CAPTION"]
                 picture = f"{paper}/{script.stem}.png"
                 text += [f"![{script.stem}]({picture})", "", caption, ""]
-    Path(path).write_text("\n".join(text))
+    with whole(path) as part:
+        part.write_text("\n".join(text))

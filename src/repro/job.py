@@ -16,13 +16,14 @@ def job(log: str, work: Callable[[], object]) -> None:
     """Run `work`; the job's log file gets its CPU time and peak memory, or one line on a fault."""
     try:
         work()
+        usage = f"cpu_s={time.process_time():.3f} peak_mb={_peak_mb():.1f}"
+        Path(log).write_text(f"{USAGE} {usage}\n")
     except ReproError as error:
         _end(log, str(error))
     except OSError as error:  # a full disk, a folder that cannot be written
         _end(
             log, f"{error.filename or 'a result'}: {error.strerror or error}: mend it and run again"
         )
-    Path(log).write_text(f"{USAGE} cpu_s={time.process_time():.3f} peak_mb={_peak_mb():.1f}\n")
 
 
 def _end(log: str, fault: str) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from repro import __version__
 from repro.errors import ReproError
+from repro.whole import whole
 
 PACKAGES = ("snakemake", "numpy", "scipy", "pandas", "matplotlib", "mcap")
 
@@ -32,7 +33,8 @@ def write_manifest(
         "parameters": {name: sha256(name) for name in sorted(parameters)},
         "results": {name: sha256(name) for name in sorted(results)},
     }
-    Path(path).write_text(json.dumps(content, indent=1) + "\n")
+    with whole(path) as part:
+        part.write_text(json.dumps(content, indent=1) + "\n")
 
 
 def check_manifest(path: str | Path) -> None:

@@ -8,6 +8,7 @@ import pandas as pd
 from repro.claims import overall
 from repro.errors import ReproError
 from repro.tables import write_csv
+from repro.whole import whole
 
 KEYS = ["study", "point", "filter", "metric", "component"]
 COLUMNS = ["item", *KEYS, "value", "digits", "kind", "trials", "expect", "reason"]
@@ -124,8 +125,9 @@ def diff(papers: dict[str, dict], tolerance: float, csv: str, markdown: str, tal
     table = pd.DataFrame(rows)
     write_csv(table, csv)
     lines = tally_lines(table)
-    Path(tally).write_text("\n".join(lines) + "\n")
-    Path(markdown).write_text(_markdown(table, lines))
+    for path, text in ((tally, "\n".join(lines) + "\n"), (markdown, _markdown(table, lines))):
+        with whole(path) as part:
+            part.write_text(text)
 
 
 def tally_lines(table: pd.DataFrame) -> list[str]:

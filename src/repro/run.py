@@ -11,6 +11,7 @@ from repro.errors import ReproError
 from repro.logs import Log, read_log, write_log
 from repro.streams import Streams
 from repro.studies import Runs, study_module
+from repro.whole import whole
 
 # Small enough for a block's covariances to stay in the cache; a study of clouds sets its own.
 TRIALS_A_BLOCK = 250
@@ -148,10 +149,8 @@ def run_filter(
     arrays = {f"recorded_{key}": value for key, value in runs.recorded.items()}
     if runs.claimed is not None:
         arrays["claimed"] = runs.claimed
-    part = Path(f"{path}.part")
-    with part.open("wb") as stream:
+    with whole(path) as part, part.open("wb") as stream:
         np.savez(stream, trials=log.trials, error=runs.error, degenerate=runs.degenerate, **arrays)
-    part.replace(path)
 
 
 def read_wanted_log(path: str, study: str, point: str) -> Log:

@@ -8,11 +8,13 @@ import pandas as pd
 from repro.network import packet_delays
 from repro.results import Results
 from repro.studies import study_module
+from repro.whole import whole
 
 
 def write_csv(rows: list[dict] | pd.DataFrame, path: str | Path) -> None:
     """One way of writing numbers, so that equal results are equal bytes."""
-    pd.DataFrame(rows).to_csv(path, index=False, float_format="%.9g", lineterminator="\n")
+    with whole(path) as part:
+        pd.DataFrame(rows).to_csv(part, index=False, float_format="%.9g", lineterminator="\n")
 
 
 def tabulate(results: Results, study: str, table: str | Path, curves: str | Path) -> None:

@@ -9,6 +9,7 @@ from repro.errors import ReproError
 from repro.logs import Log, write_log
 from repro.results import Results
 from repro.studies import open_loop_module, study_module
+from repro.whole import whole
 
 LAYOUT = "foxglove-layout.json"  # the layout as an attachment of the view
 
@@ -40,7 +41,8 @@ def write_view(
     view = trial_view(results, study, point, trial)
     module = study_module(study)
     drawn = json.dumps(foxglove_layout(view, getattr(module, "TRAJECTORY", ())), indent=1)
-    Path(layout).write_text(drawn + "\n")
+    with whole(layout) as part:
+        part.write_text(drawn + "\n")
     write_log(path, view, module.period(view.parameters), {LAYOUT: drawn.encode()})
 
 

@@ -29,14 +29,22 @@ class Project:
 
     def snakemake(self, *arguments: str, fails: bool = False) -> str:
         """Run Snakemake; returns all that it prints."""
-        command = [sys.executable, "-m", "snakemake", "-j2", *arguments]
-        environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
-        done = subprocess.run(
-            command, cwd=self.folder, env=environment, capture_output=True, text=True, timeout=600
-        )
-        said = done.stdout + done.stderr
-        assert (done.returncode != 0) == fails, said
+        run = self.start(*arguments)
+        said, _ = run.communicate(timeout=600)
+        assert (run.returncode != 0) == fails, said
         return said
+
+    def start(self, *arguments: str) -> subprocess.Popen:
+        """Start Snakemake, in a process group of its own."""
+        return subprocess.Popen(
+            [sys.executable, "-m", "snakemake", "-j2", *arguments],
+            cwd=self.folder,
+            env={k: v for k, v in os.environ.items() if k != "PYTHONPATH"},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            start_new_session=True,
+        )
 
     def keep_only(self, paper: str, study: str, points: list[str]) -> None:
         """Leave a study only a few points of its sweep over the arrival probability."""

@@ -1,7 +1,11 @@
 """The workflow as its user meets it."""
 
+import os
+import random
 import re
 import shutil
+import signal
+import time
 
 import numpy as np
 import pytest
@@ -55,6 +59,27 @@ def test_a_rebuild_is_byte_identical(trimmed):
     assert len(first) == 2 + 12 + 2 + 1
     trimmed.snakemake(*targets, "--forceall")
     assert trimmed.bytes_of(*made, "figures/*/*.png") == first
+
+
+def test_a_killed_run_is_taken_up_by_the_same_command(trimmed):
+    """SIGKILL at three random moments: of Snakemake alone, whose jobs live on, and of all."""
+    command = (f"smoke/{TABLE}", "smoke/figures/packet_delays/fig01.png")
+    command += ("--profile", "profiles/smoke")
+    made = [f"smoke/results/**/[!.]*.{kind}" for kind in ("mcap", "npz", "csv")]
+    made += ["smoke/figures/*/*.png"]
+    begun = time.monotonic()
+    trimmed.snakemake(*command)
+    lasted = time.monotonic() - begun
+    wanted = trimmed.bytes_of(*made)
+    shutil.rmtree(trimmed.folder / "smoke")
+    moments = [random.uniform(0.2, 0.9) * lasted for _ in range(3)]
+    for moment, kill in zip(moments, (os.kill, os.killpg, os.kill), strict=True):
+        run = trimmed.start(*command)
+        time.sleep(moment)
+        kill(run.pid, signal.SIGKILL)
+        run.wait()
+    trimmed.snakemake(*command)
+    assert trimmed.bytes_of(*made) == wanted, f"killed after {moments} s of {lasted} s"
 
 
 def test_tables_do_not_depend_on_shards(trimmed):

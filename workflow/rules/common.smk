@@ -16,8 +16,15 @@ os.environ.update(MALLOC_TRIM_THRESHOLD_="268435456", MALLOC_MMAP_THRESHOLD_="26
 
 from repro.catalogue import matching_points
 from repro.errors import ReproError
+from repro.lock import hold
 from repro.params import load_paper, load_run
 from repro.sources import code_digest, constants
+
+if workflow.is_main_process:
+    try:
+        ALIVE = hold(".snakemake")
+    except OSError as error:
+        sys.exit(f"error: {error.filename}: {error.strerror}: Snakemake keeps its records there")
 
 PARAMETER_FILES = sorted(path for path in Path("params").glob("*.yaml") if path.name != "run.yaml")
 try:

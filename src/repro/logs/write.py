@@ -21,6 +21,7 @@ from repro.logs.format import (
     schema_name,
     schema_text,
 )
+from repro.whole import whole
 
 TRIALS_A_BLOCK = 50  # topics alternate in blocks of trials, so that a player finds them together
 
@@ -32,8 +33,7 @@ def write_log(
 
     `attachments` are JSON texts by name, beside the parameters.
     """
-    part = Path(f"{path}.part")
-    with part.open("wb") as stream:
+    with whole(path) as part, part.open("wb") as stream:
         container = Container(stream, PROFILE, f"repro {__version__}")
         container.add_metadata(
             PROVENANCE,
@@ -52,7 +52,6 @@ def write_log(
             container.add_attachment(name, "application/json", text)
         _write_messages(container, log, round(period * 1e9))
         container.finish()
-    part.replace(path)
 
 
 def _write_messages(container: Container, log: Log, period_ns: int) -> None:

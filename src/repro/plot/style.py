@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from repro.results import Catalogue
 from repro.run import filter_module
+from repro.whole import whole
 
 # Okabe and Ito's palette: told apart with any kind of colour vision.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999933")
@@ -73,5 +74,6 @@ def plain_log(axes, which: str = "y") -> None:
 
 def save(drawn: Figure, path: str | Path) -> None:
     """Write a PNG whose bytes depend on the drawing alone."""
-    drawn.savefig(path, metadata={"Software": None})
+    with whole(path) as part:
+        drawn.savefig(part, metadata={"Software": None})
     pyplot.close(drawn)

@@ -1,0 +1,26 @@
+"""Results that stand in their place complete, or not at all."""
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+
+@contextmanager
+def whole(path: str | Path) -> Iterator[Path]:
+    """A path to write a result to, which takes its name at the end of the block.
+
+    Each process has a part of its own: a job that outlives a killed run cannot spoil its successor.
+    An OSError in writing names the result.
+    """
+    path = Path(path)
+    part = path.with_name(f".{os.getpid()}.{path.name}")
+    try:
+        yield part
+        part.replace(path)
+    except OSError as error:
+        if error.filename is None or str(error.filename) == str(part):
+            raise OSError(error.errno, error.strerror, str(path)) from None
+        raise
+    finally:
+        part.unlink(missing_ok=True)

@@ -1,0 +1,27 @@
+"""A result stands in its place complete, or not at all."""
+
+import pytest
+
+from repro.whole import whole
+
+
+def test_the_old_result_stays_until_the_new_one_is_complete(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("old")
+    with pytest.raises(RuntimeError), whole(path) as part:
+        part.write_text("half")
+        raise RuntimeError
+    assert [file.name for file in tmp_path.iterdir()] == ["a.csv"] and path.read_text() == "old"
+    with whole(path) as part:
+        part.write_text("new")
+        assert path.read_text() == "old"
+    assert [file.name for file in tmp_path.iterdir()] == ["a.csv"] and path.read_text() == "new"
+
+
+def test_an_error_in_writing_names_the_result(tmp_path):
+    with (
+        pytest.raises(OSError, match=r"missing/a\.csv") as error,
+        whole(tmp_path / "missing/a.csv") as part,
+    ):
+        part.write_text("new")
+    assert error.value.filename == str(tmp_path / "missing/a.csv")
