@@ -11,6 +11,9 @@ include: "workflow/rules/results.smk"
 include: "workflow/rules/pages.smk"
 
 
+report: Path(RESULTS, "diff.rst").absolute()
+
+
 rule all:
     default_target: True
     input:

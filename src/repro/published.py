@@ -8,12 +8,11 @@ import pandas as pd
 from repro.claims import overall
 from repro.errors import ReproError
 from repro.tables import write_csv
+from repro.verdict_pages import REPRODUCED, VERDICTS, markdown, restructured, tally_lines
 from repro.whole import whole
 
 KEYS = ["study", "point", "filter", "metric", "component"]
 COLUMNS = ["item", *KEYS, "value", "digits", "kind", "trials", "expect", "reason"]
-VERDICTS = {"value": ("match", "differs"), "claim": ("holds", "fails", "undecided")}
-REPRODUCED = ("match", "holds")
 
 
 def read_published(path: str | Path) -> pd.DataFrame:
@@ -111,8 +110,8 @@ def _evidence(parts: pd.DataFrame) -> str:
     )
 
 
-def diff(papers: dict[str, dict], tolerance: float, csv: str, markdown: str, tally: str) -> None:
-    """Write the diff of all papers as CSV and Markdown, and the tally.
+def diff(papers: dict[str, dict], tolerance: float, csv: str, pages: dict[str, str]) -> None:
+    """Write the diff of all papers as CSV and as the pages `markdown`, `report` and `tally`.
 
     `papers` gives for each paper the files `published`, `claims` and `tables`.
     """
@@ -124,52 +123,14 @@ def diff(papers: dict[str, dict], tolerance: float, csv: str, markdown: str, tal
         rows += compare(paper, published, tables, claims, tolerance, files["published"])
     table = pd.DataFrame(rows)
     write_csv(table, csv)
-    lines = tally_lines(table)
-    for path, text in ((tally, "\n".join(lines) + "\n"), (markdown, _markdown(table, lines))):
+    texts = {
+        "markdown": markdown(table),
+        "report": restructured(table),
+        "tally": "\n".join(tally_lines(table)) + "\n",
+    }
+    for page, path in pages.items():
         with whole(path) as part:
-            part.write_text(text)
-
-
-def tally_lines(table: pd.DataFrame) -> list[str]:
-    """One line a paper: how many published values match, how many claims hold."""
-    lines = []
-    for paper, rows in table.groupby("paper", sort=False):
-        said = []
-        for kind, verdicts in VERDICTS.items():
-            found = rows.loc[rows["kind"] == kind, "verdict"]
-            counts = ", ".join(f"{(found == v).sum()} {v}" for v in verdicts)
-            said.append(f"{len(found)} {kind}s: {counts}")
-        surprises = int((~rows["as_expected"]).sum())
-        lines.append(f"{paper}: {'; '.join(said)}; {surprises} not as expected")
-    return lines
-
-
-def _markdown(table: pd.DataFrame, lines: list[str]) -> str:
-    text = ["# Published against reproduced", "", *(f"- {line}" for line in lines), ""]
-    for paper, rows in table.groupby("paper", sort=False):
-        # What does not reproduce stands on top.
-        ranked = rows.assign(rank=rows["verdict"].isin(REPRODUCED)).sort_values(
-            "rank", kind="stable"
-        )
-        text += [f"## {paper}: values", ""]
-        text += [
-            "| item | published | ours | standard error (ours, theirs) | z | verdict | reason |"
-        ]
-        text += ["|---|---|---|---|---|---|---|"]
-        for row in ranked[ranked["kind"] == "value"].itertuples():
-            z = "" if np.isnan(row.z) else f"{row.z:+.1f}"
-            text.append(
-                f"| {row.item} | {row.published:g} | {row.ours:.4g} | "
-                f"{row.mcse:.2g}, {row.their_error:.2g} | {z} | {row.verdict} | {row.reason} |"
-            )
-        text += ["", f"## {paper}: claims", ""]
-        text += ["| item | claim | evidence | verdict | reason |", "|---|---|---|---|---|"]
-        for row in ranked[ranked["kind"] == "claim"].itertuples():
-            text.append(
-                f"| {row.item} | {row.statement} | {row.evidence} | {row.verdict} | {row.reason} |"
-            )
-        text.append("")
-    return "\n".join(text)
+            part.write_text(texts[page])
 
 
 def verify(csv: str | Path) -> None:

@@ -7,7 +7,7 @@ from types import ModuleType
 import numpy as np
 
 from repro.channels import Seen
-from repro.errors import ReproError
+from repro.errors import ReproError, computing
 from repro.logs import Log, read_log, write_log
 from repro.streams import Streams
 from repro.studies import Runs, study_module
@@ -142,7 +142,8 @@ def run_filter(
     A closed loop writes the log of what was flown to `flight_path`.
     """
     log = read_wanted_log(log_path, study, point)
-    estimate, runs = run(log, name, settings)
+    with computing(f"filter {name} on {study}, {point}"):
+        estimate, runs = run(log, name, settings)
     if flight_path is not None:
         module = study_module(study)
         write_log(flight_path, module.flight(log, estimate, runs), module.period(log.parameters))

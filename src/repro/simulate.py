@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from repro.errors import computing
 from repro.logs import Log, write_log
 from repro.streams import Streams
 from repro.studies import study_module
@@ -29,5 +30,6 @@ def simulate(
     study: str, point: str, parameters: dict, seed: int, trials: tuple[int, int], path: str | Path
 ) -> None:
     """Write the log of trials first ... last - 1."""
-    log = simulated(study, point, parameters, seed, np.arange(*trials))
-    write_log(path, log, study_module(study).period(parameters))
+    with computing(f"{study}, {point}"):
+        log = simulated(study, point, parameters, seed, np.arange(*trials))
+        write_log(path, log, study_module(study).period(parameters))

@@ -1,10 +1,13 @@
+import jinja2
 import numpy as np
 import pandas as pd
 import pytest
+from docutils.core import publish_parts
 
 from repro.claims import Part, below, most, overall, smaller
 from repro.errors import ReproError
-from repro.published import COLUMNS, compare, compare_value, read_published, tally_lines, verify
+from repro.published import COLUMNS, compare, compare_value, read_published, verify
+from repro.verdict_pages import markdown, restructured, tally_lines
 
 
 def ours(value, mcse, trials):
@@ -95,6 +98,16 @@ def test_rows_of_the_diff_and_the_tally():
         "paper: 1 values: 0 match, 1 differs; 1 claims: 0 holds, 1 fails, 0 undecided; "
         "1 not as expected"
     )
+
+
+def test_the_pages_are_what_was_said_and_the_report_page_is_sound():
+    row = published(item="C1", kind="claim", expect="fails", reason="|x_1| *and* `y`_ {{ z }}")
+    rows = pd.concat([published(), row])
+    diff = pd.DataFrame(compare("paper", rows, TABLE, CLAIMS, 3.0, "file"))
+    assert "| C1 | A < B | " in markdown(diff) and "| 2.2 | " in markdown(diff)
+    page = jinja2.Template(restructured(diff)).render()
+    html = publish_parts(page, writer="html", settings_overrides={"halt_level": 1})["body"]
+    assert "|x_1| *and* `y`_ {{ z }}" in html and "differs" in html
 
 
 @pytest.mark.parametrize(

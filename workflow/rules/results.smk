@@ -123,6 +123,7 @@ rule diff:
             caption="../report/diff.rst",
         ),
         markdown=f"{RESULTS}/diff.md",
+        report=f"{RESULTS}/diff.rst",
         tally=f"{RESULTS}/tally.txt",
     log:
         f"{RESULTS}/job_logs/diff.log",

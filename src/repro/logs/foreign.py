@@ -93,10 +93,14 @@ def flat_dtype(where: str, text: str) -> np.dtype:
         field = FIELD.match(line)
         if field is None or field["type"] not in TYPES:
             raise LogError(f"{where}: '{line.strip()}' is no scalar of fixed size")
+        if field["name"] in names:
+            raise LogError(f"{where}: the field '{field['name']}' stands twice in its schema")
         size = np.dtype(TYPES[field["type"]]).itemsize
         start = -(-end // size) * size
         names.append(field["name"])
         formats.append(TYPES[field["type"]])
         offsets.append(start)
         end = start + size
+    if not names:
+        raise LogError(f"{where}: its schema has no field")
     return np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": end})

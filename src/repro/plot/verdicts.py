@@ -4,8 +4,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from repro.plot import style
-from repro.published import VERDICTS
 from repro.results import Results
+from repro.verdict_pages import VERDICTS
 
 COLOURS = {
     "match": "#009E73",

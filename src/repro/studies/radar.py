@@ -41,7 +41,7 @@ def _noise_deviations(parameters: dict) -> np.ndarray:
     )
 
 
-def _initial(parameters: dict, along: list[float]) -> np.ndarray:
+def _of_both_axes(along: list[float]) -> np.ndarray:
     return np.tile(np.array(along, dtype=float), 2)
 
 
@@ -60,10 +60,11 @@ def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
     x0 = np.matvec(linear_system.root(prior), streams("prior").standard_normal(n))
     if parameters["true_initial_state"] == "mean":
         x0[:] = 0.0
+    w = np.matvec(linear_system.root(process), streams("process").standard_normal(steps, n))
     truth = linear_system.trajectory(
         sparse_rows(system.transition_matrix(parameters["sampling_time"])),
-        _initial(parameters, parameters["true_initial_mean"]) + x0,
-        np.matvec(linear_system.root(process), streams("process").standard_normal(steps, n)),
+        _of_both_axes(parameters["true_initial_mean"]) + x0,
+        _of_both_axes(parameters["known_input"]) + w,
     )  # (21)
     v = _noise_deviations(parameters) * streams("sensor").standard_normal(steps + 1, 2)
     gamma = losses.arrivals(streams("network").uniform(steps + 1), losses.losses(parameters))
@@ -79,15 +80,16 @@ def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
 def model(parameters: dict) -> Model:
     transition = sparse_rows(system.transition_matrix(parameters["sampling_time"]))
     process, prior = _covariances(parameters)
+    u = _of_both_axes(parameters["known_input"])
     wrapped = parameters["bearing"] == "atan2, wrapped"
     return Model(
-        transition=lambda x, k: linear_system.product(transition, x),
+        transition=lambda x, k: linear_system.product(transition, x, u),
         transition_jacobian=lambda x, k: transition,
         measurement=lambda x, sensor: _measurement(x, parameters),
         measurement_jacobian=lambda x, sensor: system.measurement_jacobian(x),
         process_covariance=process,
         measurement_covariance=np.diag(_noise_deviations(parameters) ** 2),
-        initial_mean=_initial(parameters, parameters["initial_estimate"]),
+        initial_mean=_of_both_axes(parameters["initial_estimate"]),
         initial_covariance=prior,
         network=losses.losses(parameters),
         innovation=system.wrapped_innovation if wrapped else np.subtract,
