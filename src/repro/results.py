@@ -23,7 +23,13 @@ class Results:
 
     def log(self, study: str, point: str) -> Log:
         """The log of a point."""
-        folder = self.root / "logs" / study / point
+        return self._log(self.root / "logs" / study / point)
+
+    def flight(self, study: str, point: str, filter_: str) -> Log:
+        """The log of what was flown on a filter's estimates, in a closed loop."""
+        return self._log(self.root / "flights" / study / point / filter_)
+
+    def _log(self, folder: Path) -> Log:
         logs = [read_log(folder / f"{shard}.mcap") for shard in range(self.shards)]
         return logs[0]._replace(
             trials=np.concatenate([log.trials for log in logs]),

@@ -1,6 +1,8 @@
 """One trial to look into: truth, signals, and every filter's estimate and error on one clock."""
 
+import itertools
 import json
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +10,7 @@ import numpy as np
 from repro.errors import ReproError
 from repro.logs import Log, write_log
 from repro.results import Results
-from repro.studies import open_loop_module, study_module
+from repro.studies import study_module
 from repro.whole import whole
 
 LAYOUT = "foxglove-layout.json"  # the layout as an attachment of the view
@@ -17,21 +19,51 @@ LAYOUT = "foxglove-layout.json"  # the layout as an attachment of the view
 def trial_view(results: Results, study: str, point: str, trial: int) -> Log:
     """The log of one trial with the topics /estimate/<filter> and /error/<filter> added.
 
-    Both have the fields of /truth. Raises ReproError if the point has no such trial.
+    Both have the fields of /truth. In a closed loop each filter has its own truth, and all of its
+    flight's topics bear its name. Raises ReproError if the point has no such trial.
     """
-    open_loop_module(study)
     log = results.log(study, point)
     if trial not in log.trials:
         last = log.trials[-1]
         raise ReproError(f"trial {trial}: {study}, {point} has the trials 0 to {last}; name one")
-    at = int(np.flatnonzero(log.trials == trial)[0])
-    fields, values = dict(log.fields), {t: v[at : at + 1] for t, v in log.values.items()}
+    at = slice(int(np.flatnonzero(log.trials == trial)[0]), None)
+    add = _add_flight if hasattr(study_module(study), "flight") else _add_estimate
+    view = _only(log, log.fields, at)
     for filter_ in results.filters(study, point):
-        error = results.runs(study, point, filter_).error[at : at + 1]
-        for topic, array in (("estimate", values["/truth"] + error), ("error", error)):
-            fields[f"/{topic}/{filter_}"] = log.fields["/truth"]
-            values[f"/{topic}/{filter_}"] = array
-    return log._replace(trials=log.trials[at : at + 1], fields=fields, values=values)
+        view = add(view, results, filter_, at)
+    return view
+
+
+def _only(log: Log, topics: Iterable[str], trial: slice) -> Log:
+    """The first trial of a slice, and the named topics."""
+    trial = slice(trial.start, trial.start + 1)
+    return log._replace(
+        trials=log.trials[trial],
+        fields={topic: log.fields[topic] for topic in topics},
+        values={topic: log.values[topic][trial] for topic in topics},
+    )
+
+
+def _with(view: Log, fields: tuple[str, ...], topics: dict[str, np.ndarray]) -> Log:
+    return view._replace(
+        fields=view.fields | dict.fromkeys(topics, fields), values=view.values | topics
+    )
+
+
+def _add_estimate(view: Log, results: Results, filter_: str, trial: slice) -> Log:
+    error = results.runs(view.study, view.point, filter_).error[trial][:1]
+    topics = {f"/estimate/{filter_}": view.values["/truth"] + error, f"/error/{filter_}": error}
+    return _with(view, view.fields["/truth"], topics)
+
+
+def _add_flight(view: Log, results: Results, filter_: str, trial: slice) -> Log:
+    flight = results.flight(view.study, view.point, filter_)
+    flown = _only(flight, flight.fields, trial)
+    for topic, values in flown.values.items():
+        name = topic if topic == "/reference" else f"{topic}/{filter_}"
+        view = _with(view, flown.fields[topic], {name: values})
+    error = flown.values["/estimate"] - flown.values["/truth"]
+    return _with(view, flown.fields["/truth"], {f"/error/{filter_}": error})
 
 
 def write_view(
@@ -47,27 +79,27 @@ def write_view(
 
 
 def foxglove_layout(view: Log, trajectory: tuple[tuple[str, str], ...]) -> dict:
-    """Panels: trajectories (pairs of fields of /truth), states, signals, and errors over time."""
-    states = view.fields["/truth"]
-    filters = [t.removeprefix("/estimate/") for t in view.fields if t.startswith("/estimate/")]
-    sources = ["/truth", *(f"/estimate/{filter_}" for filter_ in filters)]
+    """Panels: trajectories (pairs of fields of the truth), states, signals, errors over time."""
+    sources = _of_kind(view, "truth", "estimate")
+    errors = _of_kind(view, "error")
+    states = dict.fromkeys([*itertools.chain(*trajectory), *view.fields[sources[0]]])
     panels = {}
     for x, y in trajectory:
-        for source in sources:
+        for source in [*sources, *_of_kind(view, "reference")]:
             panels[f"Plot!{source.strip('/').replace('/', '_')}_{x}_{y}"] = _plot(
                 f"{source}: {y} over {x}", {source: f"{source}.{y}"}, f"{source}.{x}"
             )
-    for state in states[:6]:
+    for state in list(states)[:6]:
         panels[f"Plot!state_{state}"] = _plot(state, {s: f"{s}.{state}" for s in sources})
     signals = {
         f"{topic}.{field}": f"{topic}.{field}"
-        for topic in ("/received", "/network")
-        for field in view.fields.get(topic, ())[:6]
+        for topic in _of_kind(view, "received", "network", "throttle")
+        for field in view.fields[topic][:6]
     }
     panels["Plot!signals"] = _plot("received and network", signals)
-    for state in states[:2]:
+    for state in list(states)[:2]:
         panels[f"Plot!error_{state}"] = _plot(
-            f"error of {state}", {f: f"/error/{f}.{state}" for f in filters}
+            f"error of {state}", {e.removeprefix("/error/"): f"{e}.{state}" for e in errors}
         )
     return {
         "configById": panels,
@@ -76,6 +108,11 @@ def foxglove_layout(view: Log, trajectory: tuple[tuple[str, str], ...]) -> dict:
         "playbackConfig": {"speed": 1},
         "layout": _split(list(panels), "row"),
     }
+
+
+def _of_kind(view: Log, *kinds: str) -> list[str]:
+    """Topics /kind and /kind/<filter>."""
+    return [topic for topic in view.fields if topic.split("/")[1] in kinds]
 
 
 def _plot(title: str, series: dict[str, str], over: str | None = None) -> dict:

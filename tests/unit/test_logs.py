@@ -9,7 +9,7 @@ from mcap_ros2.decoder import DecoderFactory
 
 from repro.logs import LogError, read_log, write_log
 from repro.run import read_wanted_log
-from tests.conftest import small_log
+from tests.conftest import points, small_log
 
 STUDY, POINT = "linear_delays", "arrival=0.5"
 
@@ -57,6 +57,17 @@ def test_official_reader_and_ros2_decoder_agree(path, log):
         assert times == sorted(times) and len(times) == 4 * 3 * 6
         assert json.loads(next(reader.iter_attachments()).data) == log.parameters
         assert next(reader.iter_metadata()).metadata["study"] == STUDY
+
+
+@pytest.mark.parametrize("study", sorted(points()))
+def test_the_ros2_decoder_reads_the_logs_of_every_study(study, tmp_path):
+    log = small_log(study, next(iter(points()[study])), trials=1, steps=3)
+    write_log(tmp_path / "0.mcap", log, period=0.5)
+    with (tmp_path / "0.mcap").open("rb") as stream:
+        reader = make_reader(stream, validate_crcs=True, decoder_factories=[DecoderFactory()])
+        for _, channel, _, decoded in reader.iter_decoded_messages():
+            values = log.values[channel.topic][decoded.trial, decoded.step]
+            assert [getattr(decoded, name) for name in log.fields[channel.topic]] == values.tolist()
 
 
 def test_no_changed_byte_goes_unnoticed(path, tmp_path):

@@ -30,6 +30,23 @@ def results(tmp_path):
     return Results(tmp_path, {STUDY: {POINT: FILTERS}}, shards=1)
 
 
+def read_decoded(path):
+    """Messages of a log by topic, by the official reader and decoder."""
+    found = {}
+    with path.open("rb") as stream:
+        reader = make_reader(stream, validate_crcs=True, decoder_factories=[DecoderFactory()])
+        for _, channel, _, decoded in reader.iter_decoded_messages():
+            found.setdefault(channel.topic, []).append(decoded)
+    return found
+
+
+def assert_layout_names_what_is_there(layout, found):
+    panels = layout["configById"].values()
+    for value in (path["value"] for panel in panels for path in panel["paths"]):
+        topic, field = value.rsplit(".", 1)
+        assert topic in found and hasattr(found[topic][0], field), value
+
+
 def test_view_has_the_log_and_every_filters_estimate_on_one_clock(results, tmp_path):
     write_view(results, STUDY, POINT, 2, tmp_path / "v.mcap", tmp_path / "v.json")
     log = results.log(STUDY, POINT)
@@ -51,10 +68,32 @@ def test_view_has_the_log_and_every_filters_estimate_on_one_clock(results, tmp_p
         np.testing.assert_allclose(estimate, log.values["/truth"][2, :, 0] + error[:, 0])
     layout = attached[LAYOUT]
     assert layout == json.loads((tmp_path / "v.json").read_text())
-    series = [path["value"] for panel in layout["configById"].values() for path in panel["paths"]]
-    for value in series:
-        topic, field = value.rsplit(".", 1)
-        assert topic in found and hasattr(found[topic][0], field), value
+    assert_layout_names_what_is_there(layout, found)
+
+
+def test_a_view_of_a_closed_loop_has_every_filters_own_flight(tmp_path):
+    point, filters = "nominal", ["ekf", "rbpf_fast"]
+    log = tmp_path / "logs/quadrotor" / point / "0.mcap"
+    log.parent.mkdir(parents=True)
+    write_log(log, small_log("quadrotor", point, trials=3, steps=10), 0.01)
+    for name in filters:
+        made = [tmp_path / kind / "quadrotor" / point / name for kind in ("runs", "flights")]
+        for folder in made:
+            folder.mkdir(parents=True)
+        settings = points()["quadrotor"][point].filters["rbpf"] if name == "rbpf_fast" else {}
+        flight = made[1] / "0.mcap"
+        run_filter(log, "quadrotor", point, name, settings, made[0] / "0.npz", flight)
+    results = Results(tmp_path, {"quadrotor": {point: filters}}, shards=1)
+    write_view(results, "quadrotor", point, 1, tmp_path / "v.mcap", tmp_path / "v.json")
+    found = read_decoded(tmp_path / "v.mcap")
+    for name in filters:
+        flown = results.flight("quadrotor", point, name).values["/truth"][1]
+        assert [m.z for m in found[f"/truth/{name}"]] == flown[:, 11].tolist()
+        assert {f"/{kind}/{name}" for kind in ("estimate", "error", "received", "throttle")} <= set(
+            found
+        )
+    assert {"/network", "/reference"} <= set(found)
+    assert_layout_names_what_is_there(json.loads((tmp_path / "v.json").read_text()), found)
 
 
 def test_a_trial_that_is_not_there_is_named(results, tmp_path):

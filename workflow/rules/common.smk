@@ -42,6 +42,7 @@ SHARDS = range(RUN["shards"])
 RESULTS = f"{RUN['into']}/results" if "into" in RUN else "results"
 FIGURES = f"{RUN['into']}/figures" if "into" in RUN else "figures"
 LOG = f"{RESULTS}/logs/{{study}}/{{point}}/{{shard}}.mcap"
+FLIGHT = f"{RESULTS}/flights/{{study}}/{{point}}/{{filter}}/{{shard}}.mcap"
 ENVIRONMENT = "../envs/repro.yaml"
 RUN_FILTER = "../scripts/run_filter.py"
 
@@ -55,6 +56,8 @@ CATALOGUE, REQUESTED = (
     }
     for requested in (False, True)
 )
+# Studies in which the filters fly: filled in by flights().
+CLOSED_LOOPS = set()
 
 
 wildcard_constraints:
@@ -82,9 +85,16 @@ def runs(name, studies, points="*", skip=()):
     return f"{RESULTS}/runs/{{study,{'|'.join(studies)}}}/{{point}}/{name}/{{shard}}.npz"
 
 
-def flights(name):
+def flights(name, studies):
     """Second output where a filter closes a loop: the log of what was flown."""
-    return f"{RESULTS}/flights/{{study}}/{{point}}/{name}/{{shard}}.mcap"
+    CLOSED_LOOPS.update(studies)
+    return FLIGHT.replace("{filter}", name)
+
+
+def flight_files(study, point):
+    """Logs of what the filters flew; none in an open loop."""
+    filters = CATALOGUE[study][point] if study in CLOSED_LOOPS else []
+    return expand(FLIGHT, study=study, point=point, filter=filters, shard=SHARDS)
 
 
 def settings(name):

@@ -575,7 +575,7 @@ rule true_state:
         log=LOG,
     output:
         runs("true_state", studies=["quadrotor"]),
-        flight=flights("true_state"),
+        flight=flights("true_state", studies=["quadrotor"]),
     log:
         logfile("true_state"),
     benchmark:
@@ -595,7 +595,7 @@ rule ekf_no_loss:
         log=LOG,
     output:
         runs("ekf_no_loss", studies=["quadrotor"]),
-        flight=flights("ekf_no_loss"),
+        flight=flights("ekf_no_loss", studies=["quadrotor"]),
     log:
         logfile("ekf_no_loss"),
     benchmark:
@@ -613,26 +613,26 @@ rule ekf_no_loss:
 use rule iekf as fly_iekf with:
     output:
         runs("iekf", studies=["quadrotor"]),
-        flight=flights("iekf"),
+        flight=flights("iekf", studies=["quadrotor"]),
 
 
 use rule bkf_1 as fly_bkf_1 with:
     output:
         runs("bkf_1", studies=["quadrotor"]),
-        flight=flights("bkf_1"),
+        flight=flights("bkf_1", studies=["quadrotor"]),
 
 
 use rule bkf_2 as fly_bkf_2 with:
     output:
         runs("bkf_2", studies=["quadrotor"]),
-        flight=flights("bkf_2"),
+        flight=flights("bkf_2", studies=["quadrotor"]),
 
 
 # Algorithm 4, whose results are Algorithm 3's to the last bit (tests/oracle) in an eighth of its time.
 use rule rbpf_fast as fly_rbpf with:
     output:
         runs("rbpf", studies=["quadrotor"]),
-        flight=flights("rbpf"),
+        flight=flights("rbpf", studies=["quadrotor"]),
     params:
         name="rbpf_fast",
         settings=settings("rbpf"),
@@ -642,4 +642,4 @@ use rule rbpf_fast as fly_rbpf with:
 use rule ekf as fly_ekf with:
     output:
         runs("ekf", studies=["quadrotor"]),
-        flight=flights("ekf"),
+        flight=flights("ekf", studies=["quadrotor"]),

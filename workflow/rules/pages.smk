@@ -102,6 +102,7 @@ rule view:
     input:
         logs=lambda wildcards: log_files(wildcards.study, [wildcards.point]),
         runs=lambda wildcards: run_files(wildcards.study, [wildcards.point]),
+        flights=lambda wildcards: flight_files(wildcards.study, wildcards.point),
     output:
         view=f"{RESULTS}/views/{{study}}/{{point}}/trial-{{trial}}.mcap",
         layout=f"{RESULTS}/views/{{study}}/{{point}}/trial-{{trial}}.layout.json",

@@ -1,15 +1,16 @@
 """Rigid body of a quadrotor in "+" configuration, sampled by RK4, and its motors (Quad-Sim, [26]).
 
-State (P, Q, R, phi, theta, psi, U, V, W, X, Y, Z): body rates in rad/s, roll, pitch and yaw in rad,
-body velocity in m/s, position in m, Z up. Rotor speeds w1 ... w4 in RPM; motor 1 stands on +x and
-motor 2 on +y. States are (..., 12) and rotor speeds (..., 4); memory is component-major inside.
+State (p, q, r, phi, theta, psi, u, v, w, x, y, z), the papers' capitals as ROS has field names:
+body rates in rad/s, roll, pitch and yaw in rad, body velocity in m/s, position in m, z up. Rotor
+speeds w1 ... w4 in RPM; motor 1 stands on +x and motor 2 on +y. States are (..., 12) and rotor
+speeds (..., 4); memory is component-major inside.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-STATE = ("P", "Q", "R", "phi", "theta", "psi", "U", "V", "W", "X", "Y", "Z")
+STATE = ("p", "q", "r", "phi", "theta", "psi", "u", "v", "w", "x", "y", "z")
 RATES, ANGLES, VELOCITY, POSITION = (slice(i, i + 3) for i in (0, 3, 6, 9))
 CORE = 9  # components that drive others; the position drives none
 RPM = 2 * np.pi / 60  # rad/s

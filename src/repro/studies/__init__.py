@@ -13,6 +13,7 @@ and if it likes
     TRIALS_A_BLOCK                  how many systems the runner puts side by side
     CLAIMED_VARIANCE                False: the variances that the filters claim are not kept
     INFERRED_ARRIVALS               True: what the filters infer of the arrivals is kept
+    TRAJECTORY                      pairs of fields of /truth that a view draws over one another
     flight(log, estimate, runs)     of a closed loop: the log of what was flown
 """
 

@@ -12,6 +12,20 @@ from repro.models.mixture_noise import MixtureNoise
 from repro.network.censoring import Censoring, censored
 from repro.network.random_access import transmitted, transmitting_group
 
+__all__ = [
+    "TRAJECTORY",
+    "TRIALS_A_BLOCK",
+    "channels",
+    "curves",
+    "error",
+    "lost",
+    "model",
+    "period",
+    "rows",
+    "simulate",
+    "topics",
+]
+
 TARGETS = ("1", "2", "3")
 COMPONENTS = (*(f"target_{i}" for i in TARGETS), "average")
 STATE = ("px", "py", "phi")

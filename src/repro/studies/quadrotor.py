@@ -13,6 +13,7 @@ from repro.network import losses
 TRIALS_A_BLOCK = 1200  # systems, flights times particles
 INFERRED_ARRIVALS = True
 CLAIMED_VARIANCE = False  # none of the tables has it
+TRAJECTORY = (("x", "y"), ("x", "z"))
 
 
 def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
@@ -159,7 +160,7 @@ def flight(log: Log, estimate: np.ndarray, runs) -> Log:
             "/truth": STATE,
             "/received": STATE,
             "/estimate": STATE,
-            "/reference": ("X", "Y", "Z", "psi"),
+            "/reference": ("x", "y", "z", "psi"),
             "/throttle": tuple(f"motor_{i}" for i in range(1, 5)),
         },
         values=runs.flown | {"/estimate": estimate, "/reference": path_},

@@ -11,6 +11,7 @@ from repro.network import losses
 
 TRIALS_A_BLOCK = 8000  # systems, trials times particles: few calls, and their rows stay cached
 CLAIMED_VARIANCE = False  # none of the tables has it
+TRAJECTORY = (("p1", "p2"),)
 LOST_ABOVE = 100.0  # m: a run that ends with a larger error has lost the target
 
 

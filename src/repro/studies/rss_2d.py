@@ -10,6 +10,7 @@ from repro.studies._signal_strength import lost, simulate
 __all__ = ["TRIALS_A_BLOCK", "channels", "error", "lost", "simulate"]
 
 STATE = _signal_strength.state(2)
+TRAJECTORY = (("s_x", "s_y"),)
 COMPONENTS = _signal_strength.components(2)
 
 

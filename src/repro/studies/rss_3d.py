@@ -10,6 +10,7 @@ from repro.studies._signal_strength import lost, simulate
 __all__ = ["channels", "error", "lost", "simulate"]
 
 STATE = _signal_strength.state(3)
+TRAJECTORY = (("s_x", "s_y"),)
 COMPONENTS = _signal_strength.components(3)
 TRIALS_A_BLOCK = 20
 
