@@ -1,9 +1,14 @@
 """Which source files a job reaches: the modules of this package that its imports lead to."""
 
 import ast
+import re
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
+
+# Of this package alone. Parsing the files took a tenth of the time that Snakemake takes to start.
+IMPORT = re.compile(r"^ *(?:from|import) +(repro[\w.]*)(?: +import +(\([^)]*\)|.*))?", re.MULTILINE)
+NAME = re.compile(r"\b(\w+)\b(?: +as +\w+)?")
 
 SOURCE = Path(__file__).resolve().parent.parent
 
@@ -59,14 +64,10 @@ def _module_files(module: str) -> list[Path]:
 @cache
 def _imported(file: Path) -> list[Path]:
     files = []
-    for node in ast.walk(ast.parse(file.read_text())):
-        if isinstance(node, ast.Import):
-            for alias in node.names:
-                files += _module_files(alias.name)
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            files += _module_files(node.module)
-            for alias in node.names:
-                files += _module_files(f"{node.module}.{alias.name}")
+    for module, names in IMPORT.findall(file.read_text()):
+        files += _module_files(module)
+        for name in NAME.findall(names):
+            files += _module_files(f"{module}.{name}")
     return files
 
 
