@@ -5,6 +5,20 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from repro.errors import ReproError
+
+
+def check_writable(folder: str | Path) -> None:
+    """Raise ReproError unless results can be written into the folder, which need not exist yet."""
+    there = Path(folder).absolute()
+    while not there.exists():
+        there = there.parent
+    if not (there.is_dir() and os.access(there, os.W_OK | os.X_OK)):
+        raise ReproError(
+            f"{there}: not a folder that can be written, as {folder} asks for; "
+            "mend it, or write elsewhere with --config into=FOLDER"
+        )
+
 
 @contextmanager
 def whole(path: str | Path) -> Iterator[Path]:

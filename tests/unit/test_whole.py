@@ -2,7 +2,8 @@
 
 import pytest
 
-from repro.whole import whole
+from repro.errors import ReproError
+from repro.whole import check_writable, whole
 
 
 def test_the_old_result_stays_until_the_new_one_is_complete(tmp_path):
@@ -25,3 +26,10 @@ def test_an_error_in_writing_names_the_result(tmp_path):
     ):
         part.write_text("new")
     assert error.value.filename == str(tmp_path / "missing/a.csv")
+
+
+def test_a_place_that_cannot_take_results_is_named(tmp_path):
+    check_writable(tmp_path / "not/yet/there")
+    (tmp_path / "file").write_text("")
+    with pytest.raises(ReproError, match=r"/file: not a folder that can be written, as .*/results"):
+        check_writable(tmp_path / "file/results")

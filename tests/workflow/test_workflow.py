@@ -150,6 +150,13 @@ def test_bad_parameters_end_in_one_line_before_any_job(project, old, new, said):
     assert "Traceback" not in output and not (project.folder / "results").exists()
 
 
+def test_a_results_folder_that_cannot_be_written_ends_in_one_line(project):
+    (project.folder / "results").write_text("not a folder")
+    output = project.snakemake(TABLE, fails=True)
+    (line,) = (line for line in output.splitlines() if line.startswith("error: "))
+    assert "/results: not a folder that can be written" in line and "Traceback" not in output
+
+
 def test_a_changed_log_ends_its_job_in_one_line(trimmed):
     log = "results/logs/linear_delays/arrival=0.5/0.mcap"
     trimmed.snakemake(log, "--config", "trials=4")

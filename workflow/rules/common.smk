@@ -19,6 +19,7 @@ from repro.errors import ReproError
 from repro.lock import hold
 from repro.params import load_paper, load_run
 from repro.sources import code_digest, constants
+from repro.whole import check_writable
 
 if workflow.is_main_process:
     try:
@@ -41,6 +42,11 @@ if "trials" in RUN:
 SHARDS = range(RUN["shards"])
 RESULTS = f"{RUN['into']}/results" if "into" in RUN else "results"
 FIGURES = f"{RUN['into']}/figures" if "into" in RUN else "figures"
+try:
+    check_writable(RESULTS)
+    check_writable(FIGURES)
+except ReproError as error:
+    sys.exit(f"error: {error}")
 LOG = f"{RESULTS}/logs/{{study}}/{{point}}/{{shard}}.mcap"
 FLIGHT = f"{RESULTS}/flights/{{study}}/{{point}}/{{filter}}/{{shard}}.mcap"
 ENVIRONMENT = "../envs/repro.yaml"
