@@ -1,5 +1,6 @@
 """What the papers left out: every assumed value, and what other readings of it would change."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,8 @@ from repro.published import compare_value, read_published
 from repro.whole import whole
 
 IDENTITY = ["filter", "metric", "component"]
-READINGS = ("reading-", "as-printed-", "sensitivity-")
+READING = re.compile(r"(^|-)(reading|as-printed|sensitivity)-")  # in a point's name
+ON_REQUEST = "sensitivity-"
 NOT_A_READING = {"trials"}  # differs between points without being an assumption about the paper
 
 
@@ -41,9 +43,7 @@ def base_of(point: str, points: dict[str, dict], readings: list[str]) -> tuple[s
 
 def reading_rows(table: pd.DataFrame, published: pd.DataFrame, points: dict, tolerance: float):
     """One row for each reading, filter and metric: its value, the base's, and the verdicts."""
-    readings = [
-        point for point in points if point.split("-")[0] in ("reading", "as", "sensitivity")
-    ]
+    readings = [point for point in points if READING.search(point)]
     known = published[published["kind"] == "value"].set_index(["point", *IDENTITY])
     first_metric = table["metric"].iloc[0]
     by_point = {point: rows.set_index(IDENTITY) for point, rows in table.groupby("point")}
@@ -108,6 +108,13 @@ def write_assumptions(papers: dict[str, dict], tolerance: float, path: str | Pat
             rows = list(reading_rows(table, of_study, points, tolerance))
             if rows:
                 text += [f"### Readings of {study}", "", _table(rows), ""]
+            asked = [point for point in points if point.startswith(ON_REQUEST)]
+            if asked:
+                text += [
+                    f"{len(asked)} more readings of {study} run on request and are drawn in "
+                    f"`figures/{paper}/sensitivity.png`, which is a target of its own.",
+                    "",
+                ]
     with whole(path) as part:
         part.write_text("\n".join(text))
 
