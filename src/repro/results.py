@@ -1,11 +1,14 @@
 """What the jobs have left under results/, for the tables, claims and figures that need it."""
 
+from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 
 from repro.logs import Log, read_log
+from repro.shards import Shards
 from repro.studies import Runs
 
 Catalogue = dict[str, dict[str, list[str]]]  # study -> point -> filters that run on it
@@ -40,20 +43,39 @@ class Results:
         )
 
     def runs(self, study: str, point: str, filter_: str) -> Runs:
-        """The runs of a filter on a point."""
-        folder = self.root / "runs" / study / point / filter_
-        parts = [np.load(folder / f"{shard}.npz") for shard in range(self.shards)]
-        claimed = [part["claimed"] for part in parts if "claimed" in part]
-        shared = not claimed or claimed[0].ndim == 2
-        names = [name for name in parts[0].files if name.startswith("recorded_")]
+        """The runs of a filter on a point, all shards in memory."""
+        parts = [self._shard(study, point, filter_, shard) for shard in range(self.shards)]
+        claimed = [part.claimed for part in parts]
+        shared = claimed[0] is None or claimed[0].ndim == 2
         return Runs(
-            error=np.concatenate([part["error"] for part in parts]),
-            claimed=(claimed[0] if claimed else None) if shared else np.concatenate(claimed),
-            degenerate=np.concatenate([part["degenerate"] for part in parts]),
+            error=np.concatenate([part.error for part in parts]),
+            claimed=claimed[0] if shared else np.concatenate(claimed),
+            degenerate=np.concatenate([part.degenerate for part in parts]),
             recorded={
-                name.removeprefix("recorded_"): np.concatenate([part[name] for part in parts])
-                for name in names
+                name: np.concatenate([part.recorded[name] for part in parts])
+                for name in parts[0].recorded
             },
+        )
+
+    def in_shards(self, study: str, point: str, filter_: str) -> Shards:
+        """The same, one shard at a time in memory."""
+        numbers = range(self.shards)
+        return Shards(
+            [partial(self._shard, study, point, filter_, shard) for shard in numbers],
+            [len(self._file(study, point, filter_, shard)["trials"]) for shard in numbers],
+        )
+
+    def _file(self, study: str, point: str, filter_: str, shard: int) -> Mapping[str, np.ndarray]:
+        return np.load(self.root / "runs" / study / point / filter_ / f"{shard}.npz")
+
+    def _shard(self, study: str, point: str, filter_: str, shard: int) -> Runs:
+        part = self._file(study, point, filter_, shard)
+        names = [name for name in part.files if name.startswith("recorded_")]
+        return Runs(
+            error=part["error"],
+            claimed=part.get("claimed"),
+            degenerate=part["degenerate"],
+            recorded={name.removeprefix("recorded_"): part[name] for name in names},
         )
 
     def table(self, study: str) -> pd.DataFrame:

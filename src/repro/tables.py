@@ -1,12 +1,14 @@
 """Tables and curves of a study, in long form, each number with its Monte Carlo standard error."""
 
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pandas as pd
 
 from repro.network import packet_delays
 from repro.results import Results
+from repro.shards import Shards
 from repro.studies import study_module
 from repro.whole import whole
 
@@ -23,20 +25,20 @@ def tabulate(results: Results, study: str, table: str | Path, curves: str | Path
     rows, over_k = [], []
     for point, filters in results.catalogue[study].items():
         for filter_ in filters:
-            runs = results.runs(study, point, filter_)
-            lost = module.lost(runs)
+            shards = results.in_shards(study, point, filter_)
+            degenerate = shards.each(lambda runs: runs.degenerate).mean()
+            lost = _share_lost(module, shards)
             where = {"study": study, "point": point, "filter": filter_}
-            for metric, component, statistic in module.rows(runs):
+            for metric, component, statistic in module.rows(shards):
                 rows.append(
                     where
                     | {"metric": metric, "component": component}
                     | {"value": statistic.value, "mcse": statistic.mcse}
-                    | {"trials": len(runs.error), "median": statistic.median}
+                    | {"trials": shards.trials, "median": statistic.median}
                     | {"q10": statistic.q10, "q90": statistic.q90}
-                    | {"lost": np.nan if lost is None else lost.mean()}
-                    | {"degenerate": runs.degenerate.mean()}
+                    | {"lost": lost, "degenerate": degenerate}
                 )
-            for metric, component, statistic in module.curves(runs):
+            for metric, component, statistic in module.curves(shards):
                 over_k.append(
                     pd.DataFrame(
                         where
@@ -48,6 +50,13 @@ def tabulate(results: Results, study: str, table: str | Path, curves: str | Path
                 )
     write_csv(rows, table)
     write_csv(pd.concat(over_k), curves)
+
+
+def _share_lost(module: ModuleType, shards: Shards) -> float:
+    """Share of the runs that lost their target; NaN where a study knows no such thing."""
+    if module.lost(shards.first) is None:
+        return np.nan
+    return shards.each(module.lost).mean()
 
 
 def tabulate_packet_example(name: str, example: dict, path: str | Path) -> None:

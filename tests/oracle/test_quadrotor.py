@@ -10,6 +10,7 @@ from repro.filters import Filter
 from repro.logs import read_log
 from repro.models import quadrotor as model
 from repro.run import filter_module, run, run_filter
+from repro.shards import Shards
 from repro.simulate import simulate, simulated
 from repro.studies import quadrotor as study
 from tests.conftest import points
@@ -88,7 +89,8 @@ def test_a_flight_that_tumbles_is_ended_and_stays_finite():
         np.testing.assert_array_equal(held, np.broadcast_to(held[0], held.shape))
         assert np.abs(truth[flight, :first, 3:5]).max() <= np.deg2rad(3.0)
         assert (truth[flight, first - 2] != held[0]).any()
-    whole = {f"{metric} {part}": s.value for metric, part, s in study.rows(runs)}
+    shards = Shards([lambda: runs], [len(end)])
+    whole = {f"{metric} {part}": s.value for metric, part, s in study.rows(shards)}
     assert whole["tumbled flight"] == (end < 1501).mean()
     assert whole["end_time flight"] == pytest.approx(np.minimum(end, 1500).mean() * 0.01)
     assert np.isfinite(list(whole.values())).all()

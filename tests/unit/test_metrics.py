@@ -2,12 +2,19 @@ import numpy as np
 import pytest
 
 from repro import metrics
+from repro.shards import Columns, Shards
+from repro.studies import Runs
 
 VALUES = np.random.default_rng(5).gamma(2.0, size=(40, 3))
+STATISTICS = (
+    metrics.mean,
+    metrics.root_mean,
+    lambda squared: metrics.statistic(metrics.roots_over_steps(squared)),
+)
 
 
 def test_jackknife_is_the_brute_force_one():
-    statistic = metrics.root_mean(VALUES)
+    statistic = metrics.root_mean(columns(VALUES, 1))
     left_out = np.array([np.sqrt(np.delete(VALUES, i, axis=0).mean(axis=0)) for i in range(40)])
     spread = ((left_out - left_out.mean(axis=0)) ** 2).sum(axis=0)
     np.testing.assert_allclose(statistic.mcse, np.sqrt(39 / 40 * spread))
@@ -18,14 +25,57 @@ def test_standard_errors_cover_the_truth():
     """The mean of gamma(2) is 2: 3 standard errors hold it in all but a few of 400 samples."""
     samples = np.random.default_rng(6).gamma(2.0, size=(50, 400))
     for statistic, truth in (
-        (metrics.mean(samples), 2.0),
-        (metrics.root_mean(samples), np.sqrt(2)),
+        (metrics.mean(columns(samples, 1)), 2.0),
+        (metrics.root_mean(columns(samples, 1)), np.sqrt(2)),
     ):
         missed = np.abs(statistic.value - truth) > 3 * statistic.mcse
         assert missed.mean() < 0.03
 
 
 def test_one_trial_has_no_error():
-    for statistic in (metrics.mean(VALUES[:1]), metrics.root_mean(VALUES[:1])):
+    for of in STATISTICS:
+        statistic = of(columns(VALUES[:1], 1))
         assert np.isnan(statistic.mcse).all()
         assert statistic.value == pytest.approx(statistic.median)
+
+
+def columns(squared, shards):
+    """A quantity (trials, steps) in so many shards."""
+    parts = np.array_split(squared, shards)
+    return Columns(iter(parts), [len(part) for part in parts])
+
+
+def test_rmse_over_steps_is_the_brute_force_one():
+    def rmse(squared):
+        return np.sqrt(squared.mean(axis=0)).mean()
+
+    statistic = metrics.statistic(metrics.roots_over_steps(columns(VALUES, 1)))
+    left_out = np.array([rmse(np.delete(VALUES, i, axis=0)) for i in range(40)])
+    spread = ((left_out - left_out.mean()) ** 2).sum()
+    np.testing.assert_allclose(statistic.mcse, np.sqrt(39 / 40 * spread))
+    np.testing.assert_allclose(statistic.value, rmse(VALUES))
+    np.testing.assert_allclose(statistic.median, np.median(np.sqrt(VALUES).mean(axis=1)))
+
+
+@pytest.mark.parametrize("block", [1, 100, 10**6])
+@pytest.mark.parametrize("shards", [1, 2, 7, 40])
+def test_no_bit_depends_on_shards_or_blocks(shards, block, monkeypatch):
+    wanted = [list(of(columns(VALUES, 1))) for of in STATISTICS]
+    monkeypatch.setattr("repro.shards.BLOCK", block)
+    for of, statistic in zip(STATISTICS, wanted, strict=True):
+        for found, value in zip(of(columns(VALUES, shards)), statistic, strict=True):
+            np.testing.assert_array_equal(found, value)
+
+
+def test_runs_that_are_chosen_out_of_shards():
+    runs = [
+        Runs(VALUES[part, :, None], None, VALUES[part, 0], {"a": VALUES[part, 1]})
+        for part in (slice(0, 3), slice(3, 5), slice(5, 40))
+    ]
+    shards = Shards([lambda part=part: part for part in runs], [3, 2, 35])
+    chosen = VALUES[:, 2] > 2.5
+    few = shards.only(lambda part: part.error[:, 2, 0] > 2.5)
+    np.testing.assert_array_equal(few.each(lambda part: part.recorded["a"]), VALUES[chosen, 1])
+    error = np.concatenate(list(few.each(lambda part: part.error[..., 0]).blocks()))
+    np.testing.assert_array_equal(error.T, VALUES[chosen])
+    assert few.trials == chosen.sum() and shards.only(lambda part: part.degenerate < 0) is None

@@ -40,14 +40,17 @@ def test_orders_are_decided_on_paired_runs(results, tmp_path):
     assert levels["speed=2", "mapf_nc"] == pytest.approx(2 * np.sqrt(2), rel=0.02)
 
 
-def test_jackknife_of_a_root_and_of_a_mean_of_roots():
+def test_the_tables_statistic_is_that_of_claims_and_covers_the_spread():
+    """Target by target and step by step, and in one array: the same numbers."""
     squared = np.random.default_rng(1).chisquare(2, (200, 30, 3))
-    by_root, by_function = metrics.root_mean(squared), metrics.of_mean(squared, np.sqrt)
-    for first, second in zip(by_root, by_function, strict=True):
-        np.testing.assert_allclose(first, second, rtol=1e-12)
-    whole = metrics.of_mean(squared, study.mean_of_roots)
-    np.testing.assert_allclose(whole.value[:3], by_root.value.mean(axis=0), rtol=1e-12)
-    assert whole.value[3] == pytest.approx(whole.value[:3].mean(), rel=1e-12)
+    targets = [Columns(iter([squared[:, :, i]]), [200]) for i in range(3)]
+    of_targets = [metrics.roots_over_steps(target) for target in targets]
+    numbers = [*of_targets, metrics.average(of_targets)]
+    left_out = metrics.leave_one_out(squared, study.mean_of_roots)
+    np.testing.assert_allclose(np.transpose([n.left_out for n in numbers]), left_out, rtol=1e-12)
+    value = study.mean_of_roots(squared.mean(axis=0))
+    np.testing.assert_allclose([n.value for n in numbers], value, rtol=1e-12)
     repeated = np.random.default_rng(2).chisquare(2, (300, 200, 30, 3))
     spread = study.mean_of_roots(repeated.mean(axis=1)).std(axis=0)
-    np.testing.assert_allclose(whole.mcse, spread, rtol=0.2)
+    errors = [metrics.statistic(number).mcse for number in numbers]
+    np.testing.assert_allclose(errors, spread, rtol=0.2)

@@ -7,7 +7,8 @@ A study module gives
     model(parameters)               what a filter knows of system and network
     channels(log, trials, parameters)   what a filter may see of a slice of trials
     error(log, estimate)            error of every state component, (trials, steps, n)
-    rows(runs), curves(runs)        (metric, component, Statistic) for the tables and over k
+    rows(shards), curves(shards)    (metric, component, Statistic) for the tables and over k
+    lost(runs)                      which runs have lost what they track, or None
 and if it likes
     first_step(parameters)          0 if y(0) is used, without a prediction before it; else 1
     TRIALS_A_BLOCK                  how many systems the runner puts side by side

@@ -179,23 +179,40 @@ def root_of_mean(squared: np.ndarray) -> np.ndarray:
     return with_average(np.sqrt(squared.mean(axis=-2)))
 
 
-def rows(runs):
-    squared = squared_distance(runs)
-    for metric, part, function in (
-        ("rmse", squared[:, 1:], mean_of_roots),  # (26), averaged over k = 1 ... K
-        ("rmse_from_0", squared, mean_of_roots),
-        ("rmse_root_of_mean", squared[:, 1:], root_of_mean),
-        (f"rmse_first_{HORIZON}", squared[:, 1 : HORIZON + 1], mean_of_roots),
+def effective_sample_size(runs) -> np.ndarray:
+    """(trials, steps + 1)."""
+    return runs.recorded["effective_sample_size"]
+
+
+def rows(shards):
+    def squared(target, steps):
+        return lambda runs: squared_distance(runs)[:, steps, target]
+
+    for metric, steps in (
+        ("rmse", slice(1, None)),  # (26), averaged over k = 1 ... K
+        ("rmse_from_0", slice(None)),
+        (f"rmse_first_{HORIZON}", slice(1, HORIZON + 1)),
     ):
-        statistic = metrics.of_mean(part, function)
-        for i, component in enumerate(COMPONENTS):
-            yield metric, component, metrics.Statistic(*(value[i] for value in statistic))
-    effective = runs.recorded["effective_sample_size"][:, 1:].mean(axis=1)
+        of_targets = [shards.each(squared(i, steps)) for i in range(len(TARGETS))]
+        yield from _with_average(metric, [metrics.roots_over_steps(of) for of in of_targets])
+    mean_squared = [
+        shards.each(lambda runs, i=i: squared_distance(runs)[:, 1:, i].mean(axis=1))
+        for i in range(len(TARGETS))
+    ]
+    yield from _with_average("rmse_root_of_mean", [metrics.root(of) for of in mean_squared])
+    effective = shards.each(lambda runs: effective_sample_size(runs)[:, 1:].mean(axis=1))
     yield "effective_sample_size", "average", metrics.mean(effective)
 
 
-def curves(runs):
-    squared = squared_distance(runs)
+def _with_average(metric: str, of_targets: list[metrics.Jackknife]):
+    """The targets and their mean, which is how the paper averages."""
+    numbers = [*of_targets, metrics.average(of_targets)]
+    for component, number in zip(COMPONENTS, numbers, strict=True):
+        yield metric, component, metrics.statistic(number)
+
+
+def curves(shards):
     for i, component in enumerate(COMPONENTS[:-1]):
-        yield "rmse", component, metrics.root_mean(squared[:, :, i])
-    yield "effective_sample_size", "average", metrics.mean(runs.recorded["effective_sample_size"])
+        squared = shards.each(lambda runs, i=i: squared_distance(runs)[:, :, i])
+        yield "rmse", component, metrics.root_mean(squared)
+    yield "effective_sample_size", "average", metrics.mean(shards.each(effective_sample_size))

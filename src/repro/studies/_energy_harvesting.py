@@ -87,16 +87,19 @@ def mean_of_roots(mean_squared: np.ndarray) -> np.ndarray:
     return np.sqrt(mean_squared).mean(axis=-1)
 
 
-def rmse_rows(runs, components: dict, lost: np.ndarray | None):
-    """Mean over k = 1 ... K of RMSE(k), of all runs and of those that are not lost."""
+def rmse_rows(shards, components: dict, lost):
+    """Mean over k = 1 ... K of RMSE(k), of all runs and of those that are not lost(runs)."""
     for name, axes in components.items():
-        of_run = squared(runs, axes)[:, 1:]
-        yield "rmse", name, metrics.of_mean(of_run, mean_of_roots)
-        if lost is not None and not lost.all():
-            yield "rmse_not_lost", name, metrics.of_mean(of_run[~lost], mean_of_roots)
+        of_all = shards.each(lambda runs, axes=axes: squared(runs, axes)[:, 1:])
+        yield "rmse", name, metrics.statistic(metrics.roots_over_steps(of_all))
+        tracking = shards.only(lambda runs: ~lost(runs)) if lost else None
+        if tracking is not None:
+            of_tracking = tracking.each(lambda runs, axes=axes: squared(runs, axes)[:, 1:])
+            yield "rmse_not_lost", name, metrics.statistic(metrics.roots_over_steps(of_tracking))
 
 
-def rmse_curves(runs, components: dict):
+def rmse_curves(shards, components: dict):
     """RMSE(k) of Sec. IV-B: the root stands outside the mean over the trials."""
     for name, axes in components.items():
-        yield "rmse", name, metrics.root_mean(squared(runs, axes))
+        of_all = shards.each(lambda runs, axes=axes: squared(runs, axes))
+        yield "rmse", name, metrics.root_mean(of_all)

@@ -81,20 +81,24 @@ def error(log, estimate: np.ndarray) -> np.ndarray:
     return estimate - log.values["/truth"]
 
 
-def rows(runs):
-    squared = (runs.error[:, 1:] ** 2).mean(axis=1)  # over k = 1 ... 300, (trials, 2)
+def rows(shards):
     for i, component in enumerate(COMPONENTS):
-        yield "mse", component, metrics.mean(squared[:, i])
-        yield "rmse", component, metrics.root_mean(squared[:, i])
-        if runs.claimed is not None:
-            claimed = runs.claimed[..., 1:, i].mean(axis=-1)
-            statistic = metrics.exact(claimed) if claimed.ndim == 0 else metrics.mean(claimed)
-            yield "claimed_mse", component, statistic
+        # Over k = 1 ... 300.
+        squared = shards.each(lambda runs, i=i: (runs.error[:, 1:, i] ** 2).mean(axis=1))
+        yield "mse", component, metrics.mean(squared)
+        yield "rmse", component, metrics.root_mean(squared)
+        claimed = shards.first.claimed
+        if claimed is not None and claimed.ndim == 2:  # the same in every trial
+            yield "claimed_mse", component, metrics.exact(claimed[1:, i].mean())
+        elif claimed is not None:
+            of_each = shards.each(lambda runs, i=i: runs.claimed[:, 1:, i].mean(axis=1))
+            yield "claimed_mse", component, metrics.mean(of_each)
 
 
-def curves(runs):
+def curves(shards):
     for i, component in enumerate(COMPONENTS):
-        yield "rmse", component, metrics.root_mean(runs.error[:, :, i] ** 2)
+        squared = shards.each(lambda runs, i=i: runs.error[:, :, i] ** 2)
+        yield "rmse", component, metrics.root_mean(squared)
 
 
 def lost(runs):

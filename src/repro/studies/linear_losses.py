@@ -77,17 +77,20 @@ def squared_error(runs) -> np.ndarray:
     return np.vecdot(runs.error, runs.error)
 
 
-def rows(runs):
-    squared = squared_error(runs)
-    yield "rmse_sum", "state", metrics.root_mean_over_steps(squared, np.sum)
-    yield "mse", "state", metrics.mean(squared.mean(axis=1))
-    yield "claimed_mse", "state", metrics.mean(runs.claimed.sum(axis=-1).mean(axis=1))
-    if "triples" in runs.recorded:
-        yield "triples", "state", metrics.mean(runs.recorded["triples"].mean(axis=1))
+def rows(shards):
+    rmse_sum = metrics.roots_over_steps(shards.each(squared_error), average=False)
+    yield "rmse_sum", "state", metrics.statistic(rmse_sum)
+    mean_squared = shards.each(lambda runs: squared_error(runs).mean(axis=1))
+    yield "mse", "state", metrics.mean(mean_squared)
+    claimed = shards.each(lambda runs: runs.claimed.sum(axis=-1).mean(axis=1))
+    yield "claimed_mse", "state", metrics.mean(claimed)
+    if "triples" in shards.first.recorded:
+        triples = shards.each(lambda runs: runs.recorded["triples"].mean(axis=1))
+        yield "triples", "state", metrics.mean(triples)
 
 
-def curves(runs):
-    yield "rmse", "state", metrics.root_mean(squared_error(runs))
+def curves(shards):
+    yield "rmse", "state", metrics.root_mean(shards.each(squared_error))
 
 
 def lost(runs):

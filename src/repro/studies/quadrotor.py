@@ -195,18 +195,31 @@ def share(runs, of: float) -> np.ndarray:
     return (meant & right).sum(axis=1) / np.maximum(meant.sum(axis=1), 1)
 
 
-def rows(runs):
-    yield "rmse", "tracking", metrics.root_mean(squared_distance(runs))
+def squared_error(runs, of: slice) -> np.ndarray:
+    """Squared error of a kind of components, mean over each flight, (flights,)."""
+    return over_flight(runs, (runs.error[..., of] ** 2).sum(axis=-1))
+
+
+def altitude(runs) -> np.ndarray:
+    """Mean over each flight, (flights,), in m."""
+    return over_flight(runs, runs.recorded["position"][..., 2])
+
+
+def rows(shards):
+    yield "rmse", "tracking", metrics.root_mean(shards.each(squared_distance))
     for component, of in (("position", POSITION), ("velocity", VELOCITY), ("angles", ANGLES)):
-        squared = (runs.error[..., of] ** 2).sum(axis=-1)
-        yield "rmse", component, metrics.root_mean(over_flight(runs, squared))
-    yield "tumbled", "flight", metrics.mean(lost(runs).astype(float))
-    yield "end_time", "flight", metrics.mean(runs.recorded["end_time"])
-    if "arrived" in runs.recorded:
-        yield "detected", "losses", metrics.mean(share(runs, of=0))
-        yield "detected", "arrivals", metrics.mean(share(runs, of=1))
-    yield "altitude", "Z", metrics.mean(over_flight(runs, runs.recorded["position"][..., 2]))
+        squared = shards.each(lambda runs, of=of: squared_error(runs, of))
+        yield "rmse", component, metrics.root_mean(squared)
+    yield "tumbled", "flight", metrics.mean(shards.each(lost).astype(float))
+    end_time = shards.each(lambda runs: runs.recorded["end_time"])
+    yield "end_time", "flight", metrics.mean(end_time)
+    if "arrived" in shards.first.recorded:
+        for component, of in (("losses", 0), ("arrivals", 1)):
+            detected = shards.each(lambda runs, of=of: share(runs, of))
+            yield "detected", component, metrics.mean(detected)
+    yield "altitude", "Z", metrics.mean(shards.each(altitude))
 
 
-def curves(runs):
-    yield "distance", "tracking", metrics.mean(runs.recorded["distance"])
+def curves(shards):
+    distance = shards.each(lambda runs: runs.recorded["distance"])
+    yield "distance", "tracking", metrics.mean(distance)

@@ -108,9 +108,14 @@ def error(log, estimate: np.ndarray) -> np.ndarray:
     return estimate - log.values["/truth"]
 
 
+def squared_distance(error: np.ndarray) -> np.ndarray:
+    """Squared position error of (trials, steps, 6), in m^2."""
+    return error[:, :, 0] ** 2 + error[:, :, 3] ** 2
+
+
 def squared_error(runs) -> np.ndarray:
     """Squared position error at k = 1, 2, ..., (trials, steps), in m^2."""
-    return runs.error[:, 1:, 0] ** 2 + runs.error[:, 1:, 3] ** 2
+    return squared_distance(runs.error[:, 1:])
 
 
 def final_error(runs) -> np.ndarray:
@@ -123,13 +128,15 @@ def lost(runs) -> np.ndarray:
     return final_error(runs) > LOST_ABOVE
 
 
-def rows(runs):
-    yield "rmse", "position", metrics.root_mean_over_steps(squared_error(runs), np.mean)
-    yield "final_error", "position", metrics.mean(final_error(runs))
-    if "triples" in runs.recorded:
-        yield "triples", "position", metrics.mean(runs.recorded["triples"][:, 1:].mean(axis=1))
+def rows(shards):
+    rmse = metrics.roots_over_steps(shards.each(squared_error))
+    yield "rmse", "position", metrics.statistic(rmse)
+    yield "final_error", "position", metrics.mean(shards.each(final_error))
+    if "triples" in shards.first.recorded:
+        triples = shards.each(lambda runs: runs.recorded["triples"][:, 1:].mean(axis=1))
+        yield "triples", "position", metrics.mean(triples)
 
 
-def curves(runs):
-    squared = runs.error[:, :, 0] ** 2 + runs.error[:, :, 3] ** 2
+def curves(shards):
+    squared = shards.each(lambda runs: squared_distance(runs.error))
     yield "rmse", "position", metrics.root_mean(squared)

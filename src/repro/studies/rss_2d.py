@@ -40,9 +40,9 @@ def model(parameters: dict) -> SensorNetwork:
     return _signal_strength.model(parameters, draw_prior)
 
 
-def rows(runs):
-    return _energy_harvesting.rmse_rows(runs, COMPONENTS, lost(runs))
+def rows(shards):
+    return _energy_harvesting.rmse_rows(shards, COMPONENTS, lost)
 
 
-def curves(runs):
-    return _energy_harvesting.rmse_curves(runs, COMPONENTS)
+def curves(shards):
+    return _energy_harvesting.rmse_curves(shards, COMPONENTS)

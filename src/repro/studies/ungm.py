@@ -67,9 +67,9 @@ def lost(runs):
     return None  # the plant forgets where it was within a few steps
 
 
-def rows(runs):
-    return _energy_harvesting.rmse_rows(runs, COMPONENTS, None)
+def rows(shards):
+    return _energy_harvesting.rmse_rows(shards, COMPONENTS, None)
 
 
-def curves(runs):
-    return _energy_harvesting.rmse_curves(runs, COMPONENTS)
+def curves(shards):
+    return _energy_harvesting.rmse_curves(shards, COMPONENTS)

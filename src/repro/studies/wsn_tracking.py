@@ -134,11 +134,12 @@ def lost(runs) -> np.ndarray:
     return (position_error(runs)[:, 1:] > LOST_ABOVE).any(axis=1)
 
 
-def rows(runs):
-    distance = position_error(runs)[:, 1:]
-    yield "saee", "position", metrics.mean(distance.mean(axis=1))
-    yield "max_error", "position", metrics.mean(distance.max(axis=1))
+def rows(shards):
+    mean_error = shards.each(lambda runs: position_error(runs)[:, 1:].mean(axis=1))
+    yield "saee", "position", metrics.mean(mean_error)
+    largest_error = shards.each(lambda runs: position_error(runs)[:, 1:].max(axis=1))
+    yield "max_error", "position", metrics.mean(largest_error)
 
 
-def curves(runs):
-    yield "error", "position", metrics.mean(position_error(runs))
+def curves(shards):
+    yield "error", "position", metrics.mean(shards.each(position_error))
