@@ -6,6 +6,7 @@ import pytest
 
 from repro import metrics, sensitivity
 from repro.results import Results
+from repro.shards import Columns
 from repro.studies import _censored_network as study
 
 SCALE = {"mapf": 1.0, "mpf": 1.0, "mapf_nc": 2.0, "mapf_nmc": 1.5, "dead_reckoning": 3.0}
