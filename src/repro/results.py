@@ -1,6 +1,7 @@
 """What the jobs have left under results/, for the tables, claims and figures that need it."""
 
-from collections.abc import Mapping
+import itertools
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 
@@ -8,7 +9,7 @@ import numpy as np
 import pandas as pd
 
 from repro.logs import Log, read_log
-from repro.shards import Shards
+from repro.shards import Columns, Shards, merged
 from repro.studies import Runs
 
 Catalogue = dict[str, dict[str, list[str]]]  # study -> point -> filters that run on it
@@ -32,33 +33,54 @@ class Results:
         """The log of what was flown on a filter's estimates, in a closed loop."""
         return self._log(self.root / "flights" / study / point / filter_)
 
+    def parameters(self, study: str, point: str) -> dict:
+        """The resolved parameters of a point, as its log has them."""
+        return read_log(self.root / "logs" / study / point / "0.mcap").parameters
+
+    def each_log(self, study: str, point: str, quantity: Callable[[Log], np.ndarray]) -> np.ndarray:
+        """A quantity of all trials of a log, from one of a shard's, (trials, ...)."""
+        folder = self.root / "logs" / study / point
+        logs = (read_log(folder / f"{shard}.mcap") for shard in range(self.shards))
+        return np.concatenate([quantity(log) for log in logs])
+
     def _log(self, folder: Path) -> Log:
-        logs = [read_log(folder / f"{shard}.mcap") for shard in range(self.shards)]
-        return logs[0]._replace(
-            trials=np.concatenate([log.trials for log in logs]),
-            values={
-                topic: np.concatenate([log.values[topic] for log in logs])
-                for topic in logs[0].values
-            },
-        )
+        first, *others = (folder / f"{shard}.mcap" for shard in range(self.shards))
+        log = read_log(first)
+        if not others:
+            return log
+        trials = [log.trials, *(read_log(other).trials for other in others)]
+        values = {
+            topic: merged(
+                itertools.chain([values], (read_log(other).values[topic] for other in others))
+            )
+            for topic, values in log.values.items()
+        }
+        return log._replace(trials=np.concatenate(trials), values=values)
+
+    def each(
+        self, study: str, point: str, filter_: str, quantity: Callable[[Runs], np.ndarray]
+    ) -> np.ndarray | Columns:
+        """A quantity of all trials of a filter: (trials,), or Columns of (trials, steps)."""
+        return self.in_shards(study, point, filter_).each(quantity)
 
     def runs(self, study: str, point: str, filter_: str) -> Runs:
-        """The runs of a filter on a point, all shards in memory."""
-        parts = [self._shard(study, point, filter_, shard) for shard in range(self.shards)]
-        claimed = [part.claimed for part in parts]
-        shared = claimed[0] is None or claimed[0].ndim == 2
+        """The runs of a filter on a point, for who looks at single trials; else see `each`."""
+        shards = self.in_shards(study, point, filter_)
+        claimed = shards.first.claimed
+        if claimed is not None and claimed.ndim == 3:  # else it is the same in every trial
+            claimed = merged(part.claimed for part in shards)
         return Runs(
-            error=np.concatenate([part.error for part in parts]),
-            claimed=claimed[0] if shared else np.concatenate(claimed),
-            degenerate=np.concatenate([part.degenerate for part in parts]),
+            error=merged(part.error for part in shards),
+            claimed=claimed,
+            degenerate=merged(part.degenerate for part in shards),
             recorded={
-                name: np.concatenate([part.recorded[name] for part in parts])
-                for name in parts[0].recorded
+                name: merged(part.recorded[name] for part in shards)
+                for name in shards.first.recorded
             },
         )
 
     def in_shards(self, study: str, point: str, filter_: str) -> Shards:
-        """The same, one shard at a time in memory."""
+        """The runs of a filter on a point, one shard at a time in memory."""
         numbers = range(self.shards)
         return Shards(
             [partial(self._shard, study, point, filter_, shard) for shard in numbers],

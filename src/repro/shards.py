@@ -1,9 +1,10 @@
 """Runs shard by shard, so that a table never holds all trials of a study in memory."""
 
+import copy
 import itertools
 import os
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -20,7 +21,8 @@ class Columns:
     """
 
     def __init__(self, shards: Iterator[np.ndarray], trials: Sequence[int]):
-        self.trials, first = sum(trials), next(shards)
+        self.trials = self._in_all = sum(trials)
+        self._chosen, first = None, next(shards)
         self.steps = first.shape[1]
         self._held = np.ascontiguousarray(first.T) if len(trials) == 1 else None
         if self._held is None:
@@ -31,19 +33,42 @@ class Columns:
 
     def _write(self, begin: int, shard: np.ndarray) -> None:
         for k, of_step in enumerate(np.ascontiguousarray(shard.T, dtype=float)):
-            os.pwrite(self._file.fileno(), of_step.data, 8 * (k * self.trials + begin))
+            os.pwrite(self._file.fileno(), of_step.data, 8 * (k * self._in_all + begin))
+
+    def only(self, chosen: np.ndarray) -> "Columns":
+        """The quantity of some of the trials: `chosen` is (trials,) of flags."""
+        few = copy.copy(self)
+        few._chosen, few.trials = chosen, int(chosen.sum())
+        return few
 
     def blocks(self) -> Iterator[np.ndarray]:
         """All steps in order, some at a time, (steps, trials)."""
-        at_once = max(1, BLOCK // self.trials)
+        for block in self._blocks():
+            yield block if self._chosen is None else block.compress(self._chosen, axis=1)
+
+    def _blocks(self) -> Iterator[np.ndarray]:
+        at_once = max(1, BLOCK // self._in_all)
         for k in range(0, self.steps, at_once):
             rows = min(at_once, self.steps - k)
             if self._held is not None:
                 yield self._held[k : k + rows]
             else:
-                place, size = 8 * k * self.trials, 8 * rows * self.trials
+                place, size = 8 * k * self._in_all, 8 * rows * self._in_all
                 read = os.pread(self._file.fileno(), size, place)
-                yield np.frombuffer(read).reshape(rows, self.trials)
+                yield np.frombuffer(read).reshape(rows, self._in_all)
+
+
+def merged(shards: Iterable[np.ndarray]) -> np.ndarray:
+    """Shards end to end. Of several the numbers stay in a temporary file until they are used."""
+    first, *rest = itertools.islice(shards := iter(shards), 2)
+    if not rest:
+        return first
+    trials = 0
+    with tempfile.TemporaryFile() as file:
+        for shard in itertools.chain((first, *rest), shards):
+            file.write(np.ascontiguousarray(shard, dtype=first.dtype).data)
+            trials += len(shard)
+        return np.memmap(file, first.dtype, "r", shape=(trials, *first.shape[1:]))
 
 
 class Shards:
@@ -67,23 +92,7 @@ class Shards:
             return np.concatenate([first, *found])
         return Columns(itertools.chain([first], found), self._trials)
 
-    def only(self, chosen: Callable[[Runs], np.ndarray]) -> "Shards | None":
-        """The runs for which chosen(runs), (trials,), is true; None if there is none."""
-        trials = [int(chosen(runs).sum()) for runs in self]
-        if not any(trials):
-            return None
-        return Shards([lambda load=load: _chosen(load(), chosen) for load in self._load], trials)
-
     def __iter__(self) -> Iterator[Runs]:
         yield self.first
         for load in self._load[1:]:
             yield load()
-
-
-def _chosen(runs: Runs, chosen: Callable[[Runs], np.ndarray]) -> Runs:
-    kept = chosen(runs)
-    return runs._replace(
-        error=runs.error[kept],
-        degenerate=runs.degenerate[kept],
-        recorded={name: values[kept] for name, values in runs.recorded.items()},
-    )

@@ -7,8 +7,9 @@ import pandas as pd
 
 from repro import metrics, textbook
 from repro.claims import Claim, Part, below, claim, smaller
-from repro.claims._rmse import negative, rmse, smaller_rmse
+from repro.claims._rmse import negative, smaller_rmse
 from repro.results import Results
+from repro.shards import Columns
 from repro.studies import linear_losses
 
 CLAIMS: list[Claim] = []
@@ -18,9 +19,9 @@ PAPERS_FILTERS = ("bkf_1", "bkf_2", "rbpf")
 TIMES = "params/measured/unknown_losses_iteration_times.csv"
 
 
-def linear(results: Results, point: str, filter_: str) -> np.ndarray:
-    """Squared error of every run and step, (trials, steps)."""
-    return linear_losses.squared_error(results.runs("linear_losses", point, filter_))
+def linear(results: Results, point: str, filter_: str) -> Columns:
+    """Squared error of every run and step."""
+    return results.each("linear_losses", point, filter_, linear_losses.squared_error)
 
 
 @claim(CLAIMS, "Table I O(N)", "Table I: the RBPF needs O(N) matrix products an iteration")
@@ -69,7 +70,6 @@ def close_to_ikf(results):
         negative(
             f"p={p}: distance of {name} to iekf - to ekf",
             lambda own, best, worst: 2 * own - best - worst,
-            np.sum,
             *(linear(results, f"loss={p}", f) for f in (name, "iekf", "ekf")),
         )
         for p in LINEAR_P
@@ -84,7 +84,6 @@ def gain_grows(results: Results, gain) -> list[Part]:
             lambda kf_low, own_low, kf_high, own_high: (
                 gain(kf_low, own_low) - gain(kf_high, own_high)
             ),
-            np.sum,
             *(linear(results, f"loss={p}", f) for p in (low, high) for f in ("ekf", name)),
         )
         for name in PAPERS_FILTERS
@@ -121,7 +120,6 @@ def gain_slows(results):
         negative(
             f"p={p}: fall from 20 to 1000 - from 2 to 20",
             lambda few, some, many: (some - many) - (few - some),
-            np.sum,
             *(linear(results, f"particles={n}-loss={p}", "rbpf") for n in (2, 20, 1000)),
         )
         for p in (0.3, 0.5)
@@ -130,14 +128,11 @@ def gain_slows(results):
 
 @claim(CLAIMS, "B-C3 p", "Fig. 2: how many particles are needed depends on p")
 def needed_particles_depend_on_p(results):
-    values, left_out = rmse(
-        np.sum,
-        *(
-            linear(results, f"particles={n}-loss={p}", "rbpf")
-            for p in (0.3, 0.5)
-            for n in (5, 1000)
-        ),
-    )
+    numbers = [
+        metrics.roots_over_steps(linear(results, f"particles={n}-loss={p}", "rbpf"))
+        for p in (0.3, 0.5)
+        for n in (5, 1000)
+    ]
 
     def difference(few, many, few_other, many_other):
         return few / many - few_other / many_other
@@ -146,8 +141,8 @@ def needed_particles_depend_on_p(results):
     return [
         Part(
             "relative excess of N=5 over N=1000, p=0.3 against p=0.5: minus its size",
-            -abs(float(difference(*values))),
-            float(metrics.jackknife_error(difference(*left_out))),
+            -abs(difference(*(number.value for number in numbers))),
+            float(metrics.jackknife_error(difference(*(n.left_out for n in numbers)))),
         )
     ]
 
@@ -198,8 +193,10 @@ def fast_is_faster_with_many(results):
 def most_triples_are_duplicates(results):
     parts = []
     for p in (0.3, 0.5):
-        runs = results.runs("linear_losses", f"particles=1000-loss={p}", "rbpf_fast")
-        distinct = runs.recorded["triples"].mean(axis=1)
+        point = f"particles=1000-loss={p}"
+        distinct = results.each(
+            "linear_losses", point, "rbpf_fast", lambda runs: runs.recorded["triples"].mean(axis=1)
+        )
         parts.append(smaller(f"p={p}: distinct of 1000 - 500", distinct, np.full(1, 500.0)))
     return parts
 
@@ -233,7 +230,14 @@ def rbpf_approaches_exact(results):
 def ikf_is_stable(results):
     parts = []
     for p in LINEAR_P:
-        squared = linear(results, f"loss={p}", "iekf")
-        before, after = squared[:, 100:150].mean(axis=1), squared[:, 150:].mean(axis=1)
+        before, after = (
+            results.each(
+                "linear_losses",
+                f"loss={p}",
+                "iekf",
+                lambda runs, steps=steps: linear_losses.squared_error(runs)[:, steps].mean(axis=1),
+            )
+            for steps in (slice(100, 150), slice(150, None))
+        )
         parts.append(smaller(f"p={p}: last quarter - 1.25 third quarter", after, 1.25 * before))
     return parts

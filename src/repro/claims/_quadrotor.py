@@ -15,12 +15,12 @@ CLOSE_WITHIN = 1.25  # times that of the flight on the EKF without losses
 
 def distance(results: Results, point: str, filter_: str) -> np.ndarray:
     """rms distance to the reference over each flight, (flights,), in m."""
-    return np.sqrt(quadrotor.squared_distance(results.runs("quadrotor", point, filter_)))
+    return np.sqrt(results.each("quadrotor", point, filter_, quadrotor.squared_distance))
 
 
 def over(results: Results, point: str, filter_: str) -> np.ndarray:
     """Which flights were ended before their time, (flights,)."""
-    return quadrotor.lost(results.runs("quadrotor", point, filter_))
+    return results.each("quadrotor", point, filter_, quadrotor.lost)
 
 
 def within(results: Results, factor: float, other: str):

@@ -7,6 +7,7 @@ import numpy as np
 from repro.claims import Claim, Part, claim, most, smaller
 from repro.claims._rmse import negative, smaller_rmse
 from repro.results import Results
+from repro.shards import Columns
 from repro.studies import radar
 
 CLAIMS: list[Claim] = []
@@ -15,9 +16,9 @@ LARGE_P = (0.7, 0.8, 0.9)
 PAPERS_FILTERS = ("bkf_1", "bkf_2", "rbpf")
 
 
-def tracking(results: Results, point: str, filter_: str) -> np.ndarray:
-    """Squared position error of every run and step, (trials, steps)."""
-    return radar.squared_error(results.runs("radar", point, filter_))
+def tracking(results: Results, point: str, filter_: str) -> Columns:
+    """Squared position error of every run and step."""
+    return results.each("radar", point, filter_, radar.squared_error)
 
 
 def points(results: Results, losses) -> list[tuple[str, str]]:
@@ -36,7 +37,7 @@ def on_average(results: Results, first: str, second: str) -> list[Part]:
     def difference(*values):
         return sum(values[::2]) / len(RADAR_P) - sum(values[1::2]) / len(RADAR_P)
 
-    return [negative(f"mean over p: {first} - {second}", difference, np.mean, *squared)]
+    return [negative(f"mean over p: {first} - {second}", difference, *squared, average=True)]
 
 
 def tracked_better(results: Results, first: str, second: str, losses) -> list[Part]:
@@ -45,7 +46,7 @@ def tracked_better(results: Results, first: str, second: str, losses) -> list[Pa
     for point, rbpf in points(results, losses):
         names = [rbpf if name == "rbpf" else name for name in (first, second)]
         runs = [tracking(results, point, name) for name in names]
-        parts.append(smaller_rmse(f"{point}: {first} - {second}", *runs, np.mean))
+        parts.append(smaller_rmse(f"{point}: {first} - {second}", *runs, average=True))
     return parts
 
 
@@ -80,7 +81,7 @@ def rmse_grows_with_p(results):
             f"{name}: p={low} - p={high}",
             tracking(results, f"loss={low}", name),
             tracking(results, f"loss={high}", name),
-            np.mean,
+            average=True,
         )
         for name in ("iekf", *PAPERS_FILTERS)
         for low, high in pairwise(RADAR_P)
@@ -99,7 +100,7 @@ def iekf_beats_bkf(results):
 
 def lost(results: Results, point: str, filter_: str) -> np.ndarray:
     """Which runs end more than 100 m from the target, (trials,)."""
-    return radar.lost(results.runs("radar", point, filter_))
+    return results.each("radar", point, filter_, radar.lost)
 
 
 @claim(CLAIMS, "B-C11 well", "Fig. 5a, b: at p = 0.5 and 0.7 the filters follow the target")

@@ -23,9 +23,19 @@ AGREEMENT = 3.0  # standard errors of both within which a ratio agrees, as for t
 
 def averages(results: Results, name: str, point: str, filter_: str):
     """Time-averaged RMSE (targets + average) of all runs, and with one run left out each."""
-    squared = study.squared_distance(results.runs(name, point, filter_))[:, 1:]
-    left_out = metrics.leave_one_out(squared, study.mean_of_roots)
-    return study.mean_of_roots(squared.mean(axis=0)), left_out
+    of_targets = [
+        metrics.roots_over_steps(
+            results.each(
+                name, point, filter_, lambda runs, i=i: study.squared_distance(runs)[:, 1:, i]
+            )
+        )
+        for i in range(len(study.TARGETS))
+    ]
+    numbers = [*of_targets, metrics.average(of_targets)]
+    return (
+        np.array([number.value for number in numbers]),
+        np.stack([number.left_out for number in numbers], axis=1),
+    )
 
 
 def difference(results: Results, name: str, first: str, second: str, component=-1, point="base"):
@@ -48,7 +58,7 @@ def ratio(results: Results, name: str, filter_: str) -> tuple[float, float]:
 def agrees(results: Results, name: str, filter_: str, published: float) -> Part:
     """A printed ratio is ours within both Monte Carlo errors."""
     ours, error = ratio(results, name, filter_)
-    trials = len(results.runs(name, "base", filter_).error)
+    trials = results.in_shards(name, "base", filter_).trials
     allowed = AGREEMENT * error * np.hypot(1, np.sqrt(trials / RUNS))
     what = f"{STUDIES[name]}: {ours:.3f} ± {error:.3f} against {published}: distance"
     return below(what, abs(ours - published), allowed)
@@ -69,7 +79,7 @@ def stays_bounded(results):
     return [
         most(
             f"{STUDIES[name]}: no error of any target above {study.LOST_ABOVE:g} m",
-            ~study.lost(results.runs(name, "base", "mapf")),
+            ~results.each(name, "base", "mapf", study.lost),
         )
         for name in STUDIES
     ]

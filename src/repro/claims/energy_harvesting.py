@@ -13,6 +13,7 @@ from repro.claims import Claim, Part, below, claim, most, smaller
 from repro.network import energy_harvesting
 from repro.results import Results
 from repro.run import run
+from repro.shards import Columns
 from repro.simulate import simulated
 from repro.studies import _energy_harvesting, _signal_strength, study_module
 
@@ -23,30 +24,39 @@ FEW = 10  # runs, too few for a comparison
 SHOWN = 3  # Figs. 4 and 5 show sensor 4
 
 
-def squared(results: Results, study: str, point: str, filter_: str, component: str) -> np.ndarray:
-    """Squared errors of every run, (trials, K)."""
+def squared(results: Results, study: str, point: str, filter_: str, component: str) -> Columns:
+    """Squared errors of every run at k = 1 ... K."""
     axes = study_module(study).COMPONENTS[component]
-    return _energy_harvesting.squared(results.runs(study, point, filter_), axes)[:, 1:]
+    return results.each(
+        study, point, filter_, lambda runs: _energy_harvesting.squared(runs, axes)[:, 1:]
+    )
 
 
 def lost(results: Results, study: str, *runs: tuple[str, str]) -> np.ndarray:
     """Which trials one of the (point, filter) has lost, (trials,)."""
-    losses = [study_module(study).lost(results.runs(study, *at)) for at in runs]
-    return np.any([loss for loss in losses if loss is not None] or [[False]], axis=0)
+    return np.any([results.each(study, *at, study_module(study).lost) for at in runs], axis=0)
 
 
-def combination(what: str, weights: tuple[float, ...], errors: list[np.ndarray]) -> Part:
+def combination(what: str, weights: tuple[float, ...], errors: list[Columns]) -> Part:
     """The weighted sum of mean RMSEs is negative; jackknife over the trials that they share."""
-    if len(errors[0]) < 2:
-        return Part(f"{what}: {len(errors[0])} runs", np.nan, np.nan)
-    mean_of_roots = _energy_harvesting.mean_of_roots
-    rmse = [mean_of_roots(error.mean(axis=0)) for error in errors]
-    left_out = [metrics.leave_one_out(error, mean_of_roots) for error in errors]
+    runs = errors[0].trials
+    if runs < 2:
+        return Part(f"{what}: {runs} runs", np.nan, np.nan)
+    numbers = [metrics.roots_over_steps(error) for error in errors]
     return Part(
-        f"{what} ({', '.join(f'{value:.3g}' for value in rmse)}; {len(errors[0])} runs)",
-        float(np.dot(weights, rmse)),
-        float(metrics.jackknife_error(np.dot(weights, left_out))),
+        f"{what} ({', '.join(f'{number.value:.3g}' for number in numbers)}; {runs} runs)",
+        float(np.dot(weights, [number.value for number in numbers])),
+        float(metrics.jackknife_error(np.dot(weights, [number.left_out for number in numbers]))),
     )
+
+
+def mean_over_steps(squared: Columns) -> np.ndarray:
+    """Mean squared error of every run, (trials,)."""
+    total = np.zeros(squared.trials)
+    for block in squared.blocks():
+        for of_step in block:
+            total += of_step
+    return total / squared.steps
 
 
 def better(results, study, first, second, component, what) -> list[Part]:
@@ -54,16 +64,16 @@ def better(results, study, first, second, component, what) -> list[Part]:
     errors = [squared(results, study, *at, component) for at in (first, second)]
     parts = [
         combination(f"{what}, all runs", (1, -1), errors),
-        most(f"{what}, run by run", errors[0].mean(axis=1) < errors[1].mean(axis=1)),
+        most(f"{what}, run by run", np.less(*(mean_over_steps(error) for error in errors))),
     ]
-    kept = ~lost(results, study, first, second)
     if study == "ungm":
         return parts
+    kept = ~lost(results, study, first, second)
     if kept.sum() < FEW:  # of those not lost nothing can be said: who loses them, then?
         losses = (lost(results, study, at).astype(float) for at in (first, second))
         return [*parts, smaller(f"{what}, share of runs lost", *losses)]
     what = f"{what}, runs not lost"
-    return [*parts, combination(what, (1, -1), [error[kept] for error in errors])]
+    return [*parts, combination(what, (1, -1), [error.only(kept) for error in errors])]
 
 
 def best_of(results, study: str, first: str, others, components) -> list[Part]:
@@ -138,7 +148,7 @@ def approaches_ideal(results):
             kept = ~lost(results, "rss_2d", *(("base", f) for f in three))
             name = f"{component}: 2 pf_ross_eh - spf_im - {other}"
             parts.append(combination(f"{name}, all runs", (2, -1, -1), errors))
-            errors = [error[kept] for error in errors]
+            errors = [error.only(kept) for error in errors]
             parts.append(combination(f"{name}, runs not lost", (2, -1, -1), errors))
     return parts
 
@@ -162,20 +172,22 @@ def harvest_helps(results):
 
 def transmission(results: Results, study: str, point: str, rule: str) -> np.ndarray:
     """lambda(k) for k = 1 ... K."""
-    parameters = results.log(study, point).parameters
+    parameters = results.parameters(study, point)
     queue = _energy_harvesting.queue(parameters)
     return energy_harvesting.transmission_probability(queue, parameters["steps"], rule)[1:]
 
 
 def sent(results: Results, study: str, point: str) -> np.ndarray:
-    """Whether each sensor transmits, (trials, K, N)."""
-    return _energy_harvesting.sent(results.log(study, point))[:, 1:]
+    """Share of the sensors that transmit, (trials, K)."""
+    return results.each_log(
+        study, point, lambda log: _energy_harvesting.sent(log)[:, 1:].mean(axis=2)
+    )
 
 
 @claim(CLAIMS, "A-C6 cause", "Sec. IV-B: under Pi_2 a sensor transmits less often at every k")
 def harvest_is_the_cause(results):
     first, second = (transmission(results, "rss_2d", p, "exact") for p in ("base", "harvest=pi_2"))
-    shares = [sent(results, "rss_2d", p).mean(axis=(1, 2)) for p in ("harvest=pi_2", "base")]
+    shares = [sent(results, "rss_2d", p).mean(axis=1) for p in ("harvest=pi_2", "base")]
     return [
         below("least favourable k: exact probability under Pi_2 - Pi_1", (second - first).max(), 0),
         smaller("share of transmissions in the logs: Pi_2 - Pi_1", *shares),
@@ -184,27 +196,35 @@ def harvest_is_the_cause(results):
 
 @claim(CLAIMS, "A-C7", "Fig. 4: in the shown run the output of sensor 4 is saturated at times")
 def saturation_is_seen(results):
-    happens = _signal_strength.saturated(results.log("rss_2d", "base"), SHOWN)[:, 1:]
+    instants = results.each_log(
+        "rss_2d", "base", lambda log: _signal_strength.saturated(log, SHOWN)[:, 1:].sum(axis=1)
+    )
     return [
-        below("minus the number of such instants in run 0", -happens[0].sum(), -0.5),
-        most("a run has one", happens.any(axis=1)),
+        below("minus the number of such instants in run 0", -instants[0], -0.5),
+        most("a run has one", instants > 0),
     ]
 
 
 @claim(CLAIMS, "A-C8", "Fig. 5: E starts at 1, stays in 0 ... 3, obeys (6); sent exactly if E > 0")
 def battery_obeys(results):
-    log = results.log("rss_2d", "base")
+    wrong = results.each_log("rss_2d", "base", broken_rules).sum()
+    return [below("entries of all logs that break a rule", wrong, 0.5)]
+
+
+def broken_rules(log) -> np.ndarray:
+    """Number of entries of each run that break a rule of the battery, (trials,)."""
     queue = _energy_harvesting.queue(log.parameters)
-    wrong = 0
+    wrong = np.zeros(len(log.trials))
     for i in range(1, log.parameters["sensors"] + 1):
         energy, harvest, transmits = (
             log.field("/network", f"{name}_{i}") for name in ("energy", "harvest", "sent")
         )
         spent = energy[:, :-1] - transmits[:, :-1]
-        wrong += (energy[:, 0] != 1).sum() + ((energy < 0) | (energy > 3)).sum()
-        wrong += ((energy > 0) != (transmits == 1)).sum()
-        wrong += (energy[:, 1:] != np.minimum(spent + harvest[:, 1:], queue.capacity)).sum()
-    return [below("entries of all logs that break a rule", wrong, 0.5)]
+        wrong += (energy[:, 0] != 1) + ((energy < 0) | (energy > 3)).sum(axis=1)
+        wrong += ((energy > 0) != (transmits == 1)).sum(axis=1)
+        kept = np.minimum(spent + harvest[:, 1:], queue.capacity)
+        wrong += (energy[:, 1:] != kept).sum(axis=1)
+    return wrong
 
 
 @claim(CLAIMS, "A-C9 2-D", "Sec. IV-B expects: ignoring both effects is worst in 2-D")
@@ -274,7 +294,7 @@ def lemma_1_is_right(results):
         lemma, exact = (transmission(results, study, point, rule) for rule in ("lemma1", "exact"))
         name = f"{study} {point}"
         parts.append(below(f"{name}: largest error", np.abs(lemma - exact).max(), 1e-12))
-        share = sent(results, study, point).mean(axis=2)  # (trials, K)
+        share = sent(results, study, point)
         apart = (share - lemma).mean(axis=1)  # over k, of each trial
         error = metrics.mean_error(apart)
         parts.append(

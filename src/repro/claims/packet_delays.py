@@ -18,26 +18,41 @@ ROUNDING = 1e-6  # relative size of what rounding may leave between filters that
 
 def saee(results: Results, bound: int, p: float) -> np.ndarray:
     """Mean position error of each run of the EMVF, (trials,)."""
-    runs = results.runs("wsn_tracking", f"n{bound}-arrival={p}", "emvf")
-    return wsn_tracking.position_error(runs)[:, 1:].mean(axis=1)
+    return results.each(
+        "wsn_tracking",
+        f"n{bound}-arrival={p}",
+        "emvf",
+        lambda runs: wsn_tracking.position_error(runs)[:, 1:].mean(axis=1),
+    )
 
 
 def largest(results: Results, bound: int, p: float, filter_: str) -> np.ndarray:
     """Largest position error of each run, (trials,)."""
-    runs = results.runs("wsn_tracking", f"n{bound}-arrival={p}", filter_)
-    return wsn_tracking.position_error(runs)[:, 1:].max(axis=1)
+    return results.each(
+        "wsn_tracking",
+        f"n{bound}-arrival={p}",
+        filter_,
+        lambda runs: wsn_tracking.position_error(runs)[:, 1:].max(axis=1),
+    )
 
 
 def missed(results: Results, bound: int, p: float) -> np.ndarray:
     """Number of steps of each run whose packet is late or lost, (trials,)."""
-    delay = results.log("wsn_tracking", f"n{bound}-arrival={p}").field("/network", "delay")
-    return (delay[:, 1:] != 0).sum(axis=1)
+    return results.each_log(
+        "wsn_tracking",
+        f"n{bound}-arrival={p}",
+        lambda log: (log.field("/network", "delay")[:, 1:] != 0).sum(axis=1),
+    )
 
 
-def squared_error(results: Results, p: str, filter_: str) -> np.ndarray:
-    """Mean squared error of each run and component, (trials, 2)."""
-    error = results.runs("linear_delays", f"arrival={p}", filter_).error
-    return (error[:, 1:] ** 2).mean(axis=1)
+def squared_error(results: Results, p: str, filter_: str, component: int) -> np.ndarray:
+    """Mean squared error of each run, (trials,)."""
+    return results.each(
+        "linear_delays",
+        f"arrival={p}",
+        filter_,
+        lambda runs: (runs.error[:, 1:, component] ** 2).mean(axis=1),
+    )
 
 
 def better(results: Results, first: str, second: str) -> list[Part]:
@@ -45,8 +60,8 @@ def better(results: Results, first: str, second: str) -> list[Part]:
     return [
         smaller(
             f"{component}, p={p}: {first} - {second}",
-            squared_error(results, p, first)[:, i],
-            squared_error(results, p, second)[:, i],
+            squared_error(results, p, first, i),
+            squared_error(results, p, second, i),
         )
         for p in LOSSY_P
         for i, component in enumerate(linear_delays.COMPONENTS)

@@ -89,13 +89,13 @@ def mean_of_roots(mean_squared: np.ndarray) -> np.ndarray:
 
 def rmse_rows(shards, components: dict, lost):
     """Mean over k = 1 ... K of RMSE(k), of all runs and of those that are not lost(runs)."""
+    tracking = ~shards.each(lost) if lost else np.array([False])
     for name, axes in components.items():
         of_all = shards.each(lambda runs, axes=axes: squared(runs, axes)[:, 1:])
         yield "rmse", name, metrics.statistic(metrics.roots_over_steps(of_all))
-        tracking = shards.only(lambda runs: ~lost(runs)) if lost else None
-        if tracking is not None:
-            of_tracking = tracking.each(lambda runs, axes=axes: squared(runs, axes)[:, 1:])
-            yield "rmse_not_lost", name, metrics.statistic(metrics.roots_over_steps(of_tracking))
+        if tracking.any():
+            of_tracking = metrics.roots_over_steps(of_all.only(tracking))
+            yield "rmse_not_lost", name, metrics.statistic(of_tracking)
 
 
 def rmse_curves(shards, components: dict):
