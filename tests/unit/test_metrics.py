@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from repro import metrics
-from repro.shards import Columns, Shards
-from repro.studies import Runs
+from repro.results import Results
+from repro.shards import Columns
 
 VALUES = np.random.default_rng(5).gamma(2.0, size=(40, 3))
 STATISTICS = (
@@ -67,15 +67,30 @@ def test_no_bit_depends_on_shards_or_blocks(shards, block, monkeypatch):
             np.testing.assert_array_equal(found, value)
 
 
-def test_runs_that_are_chosen_out_of_shards():
-    runs = [
-        Runs(VALUES[part, :, None], None, VALUES[part, 0], {"a": VALUES[part, 1]})
-        for part in (slice(0, 3), slice(3, 5), slice(5, 40))
-    ]
-    shards = Shards([lambda part=part: part for part in runs], [3, 2, 35])
-    chosen = VALUES[:, 2] > 2.5
-    few = shards.only(lambda part: part.error[:, 2, 0] > 2.5)
-    np.testing.assert_array_equal(few.each(lambda part: part.recorded["a"]), VALUES[chosen, 1])
-    error = np.concatenate(list(few.each(lambda part: part.error[..., 0]).blocks()))
-    np.testing.assert_array_equal(error.T, VALUES[chosen])
-    assert few.trials == chosen.sum() and shards.only(lambda part: part.degenerate < 0) is None
+def test_some_of_the_trials():
+    few = VALUES[:, 2] > 2.5
+    assert 2 < few.sum() < 40
+    for shards in (1, 3):
+        for of in STATISTICS:
+            found, wanted = of(columns(VALUES, shards).only(few)), of(columns(VALUES[few], 1))
+            for one, other in zip(found, wanted, strict=True):
+                np.testing.assert_array_equal(one, other)
+
+
+def test_quantities_of_runs_in_shards(tmp_path):
+    """Of what a filter's jobs leave, whole and shard by shard."""
+    shards = (slice(0, 3), slice(3, 5), slice(5, 40))
+    for number, part in enumerate(shards):
+        folder = tmp_path / "runs/study/point/filter"
+        folder.mkdir(parents=True, exist_ok=True)
+        arrays = {"error": VALUES[part, :, None], "degenerate": VALUES[part, 0]}
+        trials = np.arange(40)[part]
+        np.savez(folder / f"{number}.npz", trials=trials, recorded_a=VALUES[part], **arrays)
+    results, where = Results(tmp_path, {}, 3), ("study", "point", "filter")
+    np.testing.assert_array_equal(results.each(*where, lambda runs: runs.degenerate), VALUES[:, 0])
+    of_steps = results.each(*where, lambda runs: runs.error[..., 0])
+    np.testing.assert_array_equal(np.concatenate(list(of_steps.blocks())).T, VALUES)
+    runs = results.runs(*where)
+    np.testing.assert_array_equal(runs.error[..., 0], VALUES)
+    np.testing.assert_array_equal(runs.recorded["a"], VALUES)
+    assert results.in_shards(*where).trials == 40

@@ -20,7 +20,7 @@ def results(tmp_path):
             folder = tmp_path / "runs" / "deadband" / point / filter_
             folder.mkdir(parents=True)
             error = scale * rng.standard_normal((40, 61, 9))
-            np.savez(folder / "0.npz", error=error, degenerate=np.zeros(40))
+            np.savez(folder / "0.npz", trials=np.arange(40), error=error, degenerate=np.zeros(40))
     catalogue = {"deadband": {"base": [*SCALE], "sensitivity-speed=2": [*SCALE]}}
     return Results(tmp_path, catalogue, 1)
 

@@ -82,11 +82,6 @@ def squared(runs, axes) -> np.ndarray:
     return (runs.error[:, :, list(axes)] ** 2).sum(axis=-1)
 
 
-def mean_of_roots(mean_squared: np.ndarray) -> np.ndarray:
-    """Mean over k of RMSE(k), from mean squared errors (..., K)."""
-    return np.sqrt(mean_squared).mean(axis=-1)
-
-
 def rmse_rows(shards, components: dict, lost):
     """Mean over k = 1 ... K of RMSE(k), of all runs and of those that are not lost(runs)."""
     tracking = ~shards.each(lost) if lost else np.array([False])
