@@ -9,28 +9,20 @@ The common problem: bootstrap filter with systematic resampling at every step, f
 constant velocity, four signal-strength sensors with Gaussian noise. Same data, same model.
 """
 
-import os
+import _as_in_jobs  # noqa: F401  # isort: skip
+
 import sys
+from pathlib import Path
+from time import process_time
 
-SETTINGS = {  # as the workflow sets them for its jobs
-    "OPENBLAS_NUM_THREADS": "1",
-    "MALLOC_TRIM_THRESHOLD_": "268435456",
-    "MALLOC_MMAP_THRESHOLD_": "268435456",
-}
-if __name__ == "__main__" and any(os.environ.get(name) != SETTINGS[name] for name in SETTINGS):
-    os.execve(sys.executable, [sys.executable, *sys.argv], os.environ | SETTINGS)
+import numpy as np
 
-from pathlib import Path  # noqa: E402
-from time import process_time  # noqa: E402
-
-import numpy as np  # noqa: E402
-
-from repro.filters import _particles  # noqa: E402
-from repro.models.coupled_targets import SignalStrength, log_squared_distance  # noqa: E402
-from repro.params import load_paper  # noqa: E402
-from repro.run import run  # noqa: E402
-from repro.simulate import simulated  # noqa: E402
-from repro.streams import Streams  # noqa: E402
+from repro.filters import _particles
+from repro.models.coupled_targets import SignalStrength, log_squared_distance
+from repro.params import load_paper
+from repro.run import run
+from repro.simulate import simulated
+from repro.streams import Streams
 
 ROOT = Path(__file__).parent.parent
 LIMITS = {"mapf": 250.0, "mapf_nc": 250.0, "mapf_nmc": 250.0, "mpf": 130.0}  # ns

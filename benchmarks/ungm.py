@@ -7,29 +7,21 @@ Needs the benchmark extra: numba, scikit-learn, joblib and particles 0.4, the la
 filter with systematic resampling at every step and the likelihood (27) on the same data.
 """
 
-import os
+import _as_in_jobs  # noqa: F401  # isort: skip
+
 import sys
+from pathlib import Path
+from time import process_time
 
-SETTINGS = {  # as the workflow sets them for its jobs
-    "OPENBLAS_NUM_THREADS": "1",
-    "MALLOC_TRIM_THRESHOLD_": "268435456",
-    "MALLOC_MMAP_THRESHOLD_": "268435456",
-}
-if __name__ == "__main__" and any(os.environ.get(name) != SETTINGS[name] for name in SETTINGS):
-    os.execve(sys.executable, [sys.executable, *sys.argv], os.environ | SETTINGS)
+import numpy as np
 
-from pathlib import Path  # noqa: E402
-from time import process_time  # noqa: E402
-
-import numpy as np  # noqa: E402
-
-from repro.logs import Log  # noqa: E402
-from repro.models import ungm  # noqa: E402
-from repro.network.energy_harvesting import transmission_probability  # noqa: E402
-from repro.params import load_paper  # noqa: E402
-from repro.run import run  # noqa: E402
-from repro.simulate import simulated  # noqa: E402
-from repro.studies import study_module  # noqa: E402
+from repro.logs import Log
+from repro.models import ungm
+from repro.network.energy_harvesting import transmission_probability
+from repro.params import load_paper
+from repro.run import run
+from repro.simulate import simulated
+from repro.studies import study_module
 
 ROOT = Path(__file__).parent.parent
 LIMITS = {"ungm": 40.0, "rss_2d": 110.0}  # ns
