@@ -11,6 +11,21 @@ include: "workflow/rules/results.smk"
 include: "workflow/rules/pages.smk"
 
 
+# On a cluster, where a run was started: they take about a second, and verify and timings print.
+localrules:
+    all,
+    archive,
+    assumptions,
+    complexity,
+    diff,
+    gallery,
+    manifest,
+    packet_example,
+    parameters,
+    timings,
+    verify,
+
+
 report: Path(RESULTS, "diff.rst").absolute()
 
 

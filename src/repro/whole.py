@@ -24,11 +24,12 @@ def check_writable(folder: str | Path) -> None:
 def whole(path: str | Path) -> Iterator[Path]:
     """A path to write a result to, which takes its name at the end of the block.
 
-    Each process has a part of its own: a job that outlives a killed run cannot spoil its successor.
+    Each process has a part of its own: a job that outlives a killed run, or the node that a cluster
+    takes for lost, cannot spoil its successor.
     An OSError in writing names the result.
     """
     path = Path(path)
-    part = path.with_name(f".{os.getpid()}.{path.name}")
+    part = path.with_name(f".{os.uname().nodename}.{os.getpid()}.{path.name}")
     try:
         yield part
         part.replace(path)

@@ -4,6 +4,8 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -16,6 +18,9 @@ KEPT = ["Snakefile", "workflow", "src", "params", "profiles", "figures"]
 
 class Project:
     """A folder with the project in it."""
+
+    options = ("-j2",)
+    environment = os.environ
 
     def __init__(self, folder: Path):
         self.folder = folder
@@ -37,9 +42,9 @@ class Project:
     def start(self, *arguments: str) -> subprocess.Popen:
         """Start Snakemake, in a process group of its own."""
         return subprocess.Popen(
-            [sys.executable, "-m", "snakemake", "-j2", *arguments],
+            [sys.executable, "-m", "snakemake", *self.options, *arguments],
             cwd=self.folder,
-            env={k: v for k, v in os.environ.items() if k != "PYTHONPATH"},
+            env={k: v for k, v in self.environment.items() if k != "PYTHONPATH"},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
@@ -48,10 +53,20 @@ class Project:
 
     def keep_only(self, paper: str, study: str, points: list[str]) -> None:
         """Leave a study only a few points of its sweep over the arrival probability."""
+        with self._families(paper, study) as families:
+            families[:] = [_fixed(point, families) for point in points]
+
+    def keep_first(self, paper: str, study: str) -> None:
+        """Leave a study only the first of its points, which is no sweep."""
+        with self._families(paper, study) as families:
+            del families[1:]
+
+    @contextmanager
+    def _families(self, paper: str, study: str) -> Iterator[list[dict]]:
+        """The families of a study's points, to change them in the copy."""
         file = self.folder / "params" / f"{paper}.yaml"
         content = yaml.safe_load(file.read_text())
-        families = content["studies"][study]["points"]
-        content["studies"][study]["points"] = [_fixed(point, families) for point in points]
+        yield content["studies"][study]["points"]
         file.write_text(yaml.safe_dump(content, sort_keys=False))
 
     def bytes_of(self, *patterns: str) -> dict[str, bytes]:

@@ -9,6 +9,7 @@ import time
 
 import numpy as np
 import pytest
+import yaml
 
 from tests.conftest import ROOT
 
@@ -148,6 +149,23 @@ def test_bad_parameters_end_in_one_line_before_any_job(project, old, new, said):
     (line,) = (line for line in output.splitlines() if line.startswith("error: "))
     assert "params/packet_delays.yaml" in line and said in line
     assert "Traceback" not in output and not (project.folder / "results").exists()
+
+
+def test_more_shards_than_trials_end_in_one_line(project):
+    output = project.snakemake("-n", TABLE, "--config", "trials=3", "shards=4", fails=True)
+    (line,) = (line for line in output.splitlines() if line.startswith("error: "))
+    assert "shards: 4 are more than the 3 trials of " in line and "Traceback" not in output
+    project.snakemake("-n", TABLE, "--config", "trials=4", "shards=4")
+
+
+def test_the_slurm_profile_names_every_filter_and_no_rule_that_is_not(project):
+    """A filter that it forgets would cost a job of Slurm for each of its points."""
+    profile = yaml.safe_load((project.folder / "profiles/slurm/config.yaml").read_text())
+    rules = set(project.snakemake("--list-rules", "--quiet", "all").split())
+    catalogue = (project.folder / "workflow/rules/filters.smk").read_text()
+    filters = set(re.findall(r"^rule (\w+):|^use rule \w+ as (\w+)", catalogue, re.MULTILINE))
+    assert {name or flown for name, flown in filters} <= set(profile["groups"])
+    assert {*profile["groups"], *profile["set-resources"]} <= rules
 
 
 def test_a_results_folder_that_cannot_be_written_ends_in_one_line(project):

@@ -39,6 +39,13 @@ if "trials" in RUN:
     for points in STUDIES.values():
         for point in points.values():
             point.parameters.update(trials=RUN["trials"])
+for study, points in STUDIES.items():
+    for name, point in points.items():
+        if RUN["shards"] > point.parameters["trials"]:
+            sys.exit(
+                f"error: shards: {RUN['shards']} are more than the {point.parameters['trials']} "
+                f"trials of {study}, point {name}; mend params/run.yaml or --config"
+            )
 SHARDS = range(RUN["shards"])
 RESULTS = f"{RUN['into']}/results" if "into" in RUN else "results"
 FIGURES = f"{RUN['into']}/figures" if "into" in RUN else "figures"

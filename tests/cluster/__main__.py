@@ -1,0 +1,167 @@
+"""The pipeline on a real Slurm: python -m tests.cluster
+
+Runs where Slurm is, or where root can install it with apt-get; elsewhere it is skipped.
+"""
+
+import importlib.util
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from tests.cluster.slurm import Slurm
+from tests.workflow.conftest import Project
+
+PACKAGES = ("slurmctld", "slurmd", "slurm-client", "munge")
+PROGRAMS = ("slurmctld", "slurmd", "srun", "munged")
+
+# A Kalman-type study, one of particles, a censored network and a closed loop; and a picture.
+STUDIES = ("linear_delays", "ungm", "deadband", "quadrotor")
+TABLES = [f"smoke/results/tables/{study}.csv" for study in STUDIES]
+FIGURE = "smoke/figures/packet_delays/fig01.png"
+MADE = ("logs/*/*/*.mcap", "flights/*/*/*/*.mcap", "runs/*/*/*/*.npz", "tables/*.csv", "curves/*")
+
+
+class Copy(Project):
+    """A copy with one point of each study, two of the linear one: few and short jobs."""
+
+    options = ("-j2", "--profile", "profiles/smoke")
+
+    def __init__(self, folder: Path):
+        folder.mkdir()
+        super().__init__(folder)
+        self.keep_only("packet_delays", "linear_delays", ["arrival=0.5", "arrival=0.9"])
+        self.keep_first("energy_harvesting", "ungm")
+        self.keep_first("unknown_losses", "quadrotor")
+
+    def made(self) -> dict[str, bytes]:
+        return self.bytes_of(*(f"smoke/results/{pattern}" for pattern in MADE), FIGURE)
+
+
+class OnSlurm(Copy):
+    """The same command with Slurm's profile; asked more often how the jobs are, to be quick."""
+
+    options = (
+        *("--profile", "profiles/smoke", "--workflow-profile", "profiles/slurm"),
+        *("--seconds-between-status-checks", "1"),
+        *("--slurm-init-seconds-before-status-checks", "1"),
+    )
+
+    def __init__(self, folder: Path, cluster: Slurm):
+        super().__init__(folder)
+        self.environment = cluster.environment
+        self.cluster = cluster
+
+    def start_afresh(self, study: str) -> tuple[subprocess.Popen, str, str]:
+        """Start a study of one point anew; returns in the middle of its job, with job and node."""
+        table = f"smoke/results/tables/{study}.csv"
+        (self.folder / table).unlink()
+        for kind in ("logs", "runs"):
+            shutil.rmtree(self.folder / "smoke/results" / kind / study)
+        run = self.start(table)
+        wait(lambda: list(self.folder.glob(f"smoke/results/logs/{study}/*/0.mcap")), "the job")
+        ((job, node),) = self.cluster.running()
+        return run, job, node
+
+
+def check_tables(local: Copy, remote: OnSlurm) -> str:
+    local.snakemake(*TABLES, FIGURE)
+    said = remote.snakemake(*TABLES, FIGURE)
+    wanted = local.made()
+    assert len(wanted) > len(TABLES) and remote.made() == wanted
+    assert "Nothing to be done" in remote.snakemake(*TABLES, FIGURE)
+    submitted = said.count("has been submitted with SLURM jobid")
+    jobs = said.count("Finished jobid: ")
+    return f"{len(wanted)} results of {jobs} jobs in {submitted} of Slurm are a local run's bytes"
+
+
+def check_cancelled(local: Copy, remote: OnSlurm) -> str:
+    run, job, _ = remote.start_afresh("deadband")
+    remote.cluster.ask("scancel", job)
+    said, _ = run.communicate(timeout=120)
+    assert run.returncode != 0, said
+    assert f"SLURM-job '{job}' failed, SLURM status is: 'CANCELLED'" in said, said
+    remote.snakemake(*TABLES, FIGURE)
+    assert remote.made() == local.made()
+    return "a job ended by scancel is reported; the same command completes, with the same bytes"
+
+
+def check_node_down(local: Copy, remote: OnSlurm) -> str:
+    cluster = remote.cluster
+    run, job, node = remote.start_afresh("deadband")
+    cluster.ask("scontrol", "update", f"nodename={node}", "state=DOWN", "reason=test")
+    wait(lambda: cluster.ask("squeue", "-h", "-j", job, "-o", "%T").strip() == "PENDING", "requeue")
+    copies = len(cluster.processes())
+    # Slurm holds a job that lost its node for two minutes.
+    cluster.ask("scontrol", "update", f"jobid={job}", "starttime=now")
+    said, _ = run.communicate(timeout=180)
+    assert run.returncode == 0, said
+    assert remote.made() == local.made()
+    shown = cluster.ask("scontrol", "show", "job", job)
+    assert "Restarts=1" in shown and f"NodeList={node}\n" not in shown, shown
+    return (
+        f"a node set DOWN loses nothing: its job is done by the other, with the same bytes {copies}"
+    )
+
+
+def wait(condition: Callable[[], object], what: str) -> None:
+    end = time.monotonic() + 60
+    while not condition():
+        assert time.monotonic() < end, f"{what} did not come within 60 s"
+        time.sleep(0.1)
+
+
+def why_not() -> str:
+    """Why there can be no Slurm here; empty if there is one now."""
+    if os.geteuid() != 0:
+        return "Slurm's daemons are started by root here, and this is not root"
+    if not importlib.util.find_spec("snakemake_executor_plugin_slurm"):
+        return "pip install -c constraints.txt -e '.[cluster]' has not been run"
+    if all(map(shutil.which, PROGRAMS)):
+        return ""
+    if not shutil.which("apt-get"):
+        return "neither Slurm nor apt-get is here"
+    install = ["install", "-y", "-q", "--no-install-recommends", *PACKAGES]
+    for arguments in (["update", "-q"], install):
+        try:
+            subprocess.run(["apt-get", *arguments], check=True, capture_output=True, timeout=180)
+        except subprocess.SubprocessError as error:
+            return f"Slurm could not be installed: {error}"
+    return ""
+
+
+def main() -> int:
+    reason = why_not()
+    if reason:
+        print(f"skipped: {reason}")
+        return 0
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("stopped"))  # as Ctrl-C: takes Slurm down
+    begun = time.monotonic()
+
+    def say(what: str) -> None:
+        print(f"{time.monotonic() - begun:4.0f} s  {what}", flush=True)
+
+    failed = False
+    with tempfile.TemporaryDirectory(prefix="slurm-") as name:
+        cluster = Slurm(Path(name))
+        try:
+            with cluster.up():
+                say("Slurm is up, with two nodes")
+                local, remote = Copy(Path(name, "local")), OnSlurm(Path(name, "remote"), cluster)
+                for check in (check_tables, check_cancelled, check_node_down):
+                    say(f"ok: {check(local, remote)}")
+        except (AssertionError, TimeoutError, subprocess.SubprocessError) as error:
+            say(f"FAILED: {error}")
+            failed = True
+        left = cluster.processes()
+        say(f"FAILED: left are {left}" if left else "ok: Slurm is down, and no process is left")
+    return int(failed or bool(left))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
