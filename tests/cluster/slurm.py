@@ -44,7 +44,7 @@ JobAcctGatherType=jobacct_gather/none
 MinJobAge=3600
 KillWait=5
 CompleteWait=0
-ReturnToService=2
+ReturnToService=0
 NodeName=n1 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[1]} CPUs=1 RealMemory=2000
 NodeName=n2 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[2]} CPUs=1 RealMemory=2000
 PartitionName=main Nodes=n1,n2 Default=YES State=UP
@@ -113,7 +113,7 @@ class Slurm:
                     os.kill(process, signal.SIGKILL)
 
     def _start(self, *command: str) -> subprocess.Popen:
-        """A daemon as a child of this process, in a session of its own: Ctrl-C does not reach it."""
+        """A daemon as a child of this process, in a session that Ctrl-C does not reach."""
         with (self.folder / f"{command[0]}.out").open("a") as out:
             return subprocess.Popen(
                 command, env=self.environment, stdout=out, stderr=out, start_new_session=True
