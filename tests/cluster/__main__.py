@@ -33,9 +33,11 @@ class Copy(Project):
 
     options = ("-j2", "--profile", "profiles/smoke")
 
-    def __init__(self, folder: Path):
+    def __init__(self, folder: Path, cluster: Slurm):
         folder.mkdir()
         super().__init__(folder)
+        self.cluster = cluster
+        self.environment = cluster.environment  # by which its processes are found at the end
         self.keep_only("packet_delays", "linear_delays", ["arrival=0.5", "arrival=0.9"])
         self.keep_first("energy_harvesting", "ungm")
         self.keep_first("unknown_losses", "quadrotor")
@@ -53,11 +55,6 @@ class OnSlurm(Copy):
         *("--slurm-init-seconds-before-status-checks", "1"),
     )
 
-    def __init__(self, folder: Path, cluster: Slurm):
-        super().__init__(folder)
-        self.environment = cluster.environment
-        self.cluster = cluster
-
     def start_anew(self) -> tuple[subprocess.Popen, str, str]:
         """Start the study of one job anew; returns in the middle of it, with job and node."""
         for made in self.folder.glob(f"smoke/results/*/{ALONE}*"):
@@ -70,15 +67,19 @@ class OnSlurm(Copy):
 
 
 def check_tables(local: Copy, remote: OnSlurm) -> str:
+    begun = time.monotonic()
     local.snakemake(*TABLES, FIGURE)
-    print(time.monotonic())
+    alone = time.monotonic() - begun
     said = remote.snakemake(*TABLES, FIGURE)
+    took = time.monotonic() - begun - alone
     wanted = local.made()
-    assert len(wanted) > len(TABLES) and remote.made() == wanted
+    assert len(wanted) > len(TABLES) and remote.made() == wanted, "not the same bytes"
     assert "Nothing to be done" in remote.snakemake(*TABLES, FIGURE)
-    submitted = said.count("has been submitted with SLURM jobid")
-    jobs = said.count("Finished jobid: ")
-    return f"{len(wanted)} results of {jobs} jobs in {submitted} of Slurm are a local run's bytes"
+    jobs, submitted = (said.count(f"{what} jobid") for what in ("Finished", "with SLURM"))
+    return (
+        f"{len(wanted)} files as of a local run, byte for byte: {jobs} jobs in {submitted} of "
+        f"Slurm's, {took:.0f} s (local {alone:.0f} s)"
+    )
 
 
 def check_cancelled(local: Copy, remote: OnSlurm) -> str:
@@ -97,11 +98,10 @@ def check_node_down(local: Copy, remote: OnSlurm) -> str:
     wait(
         lambda: cluster.ask("squeue", "-h", "-j", job, "-o", "%r").strip() == "BeginTime", "requeue"
     )
-    print("LOST COPY:", cluster.processes())
     cluster.ask("scontrol", "update", f"jobid={job}", "starttime=now")
     said, _ = run.communicate(timeout=180)
     assert run.returncode == 0, said
-    assert remote.made() == local.made()
+    assert remote.made() == local.made(), "not the same bytes"
     shown = cluster.ask("scontrol", "show", "job", job)
     assert "Restarts=1" in shown and f" NodeList={node}\n" not in shown, shown
     return "the same command again, with a node set DOWN in mid-run, completes with the same bytes"
@@ -138,23 +138,27 @@ def main() -> int:
     if reason:
         print(f"skipped: {reason}")
         return 0
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit("stopped"))  # as Ctrl-C: takes Slurm down
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C: Slurm is taken down
     begun = time.monotonic()
+    failed = False
 
     def say(what: str) -> None:
         print(f"{time.monotonic() - begun:4.0f} s  {what}", flush=True)
 
-    failed = False
     with tempfile.TemporaryDirectory(prefix="slurm-") as name:
-        cluster = Slurm(Path(name))
+        folder = Path(name)
+        cluster = Slurm(folder)
         try:
             with cluster.up():
                 say("Slurm is up, with two nodes")
-                local, remote = Copy(Path(name, "local")), OnSlurm(Path(name, "remote"), cluster)
+                local, remote = Copy(folder / "local", cluster), OnSlurm(folder / "remote", cluster)
                 for check in (check_tables, check_cancelled, check_node_down):
                     say(f"ok: {check(local, remote)}")
         except (AssertionError, TimeoutError, subprocess.SubprocessError) as error:
             say(f"FAILED: {error}")
+            failed = True
+        except KeyboardInterrupt:
+            say("FAILED: stopped")
             failed = True
         left = cluster.processes()
         say(f"FAILED: left are {left}" if left else "ok: Slurm is down, and no process is left")

@@ -108,9 +108,16 @@ class Slurm:
                 except subprocess.TimeoutExpired:
                     daemon.kill()
                     daemon.wait()
-            for process in self.processes():
+            self._end_jobs()
+
+    def _end_jobs(self) -> None:
+        """Kill what still runs under the configuration, until nothing does: for 10 s at most."""
+        end = time.monotonic() + 10
+        while (left := self.processes()) and time.monotonic() < end:
+            for process in left:
                 with suppress(ProcessLookupError):
                     os.kill(process, signal.SIGKILL)
+            time.sleep(0.1)
 
     def _start(self, *command: str) -> subprocess.Popen:
         """A daemon as a child of this process, in a session that Ctrl-C does not reach."""
