@@ -23,6 +23,7 @@ PROGRAMS = ("slurmctld", "slurmd", "srun", "munged")
 # A Kalman-type study, one of particles, a censored network and a closed loop; and a picture.
 STUDIES = ("linear_delays", "ungm", "deadband", "quadrotor")
 TABLES = [f"smoke/results/tables/{study}.csv" for study in STUDIES]
+ALONE = "deadband"  # its one point is one job of Slurm
 FIGURE = "smoke/figures/packet_delays/fig01.png"
 MADE = ("logs/*/*/*.mcap", "flights/*/*/*/*.mcap", "runs/*/*/*/*.npz", "tables/*.csv", "curves/*")
 
@@ -32,9 +33,11 @@ class Copy(Project):
 
     options = ("-j2", "--profile", "profiles/smoke")
 
-    def __init__(self, folder: Path):
+    def __init__(self, folder: Path, cluster: Slurm):
         folder.mkdir()
         super().__init__(folder)
+        self.cluster = cluster
+        self.environment = cluster.environment  # by which its processes are found at the end
         self.keep_only("packet_delays", "linear_delays", ["arrival=0.5", "arrival=0.9"])
         self.keep_first("energy_harvesting", "ungm")
         self.keep_first("unknown_losses", "quadrotor")
@@ -52,61 +55,56 @@ class OnSlurm(Copy):
         *("--slurm-init-seconds-before-status-checks", "1"),
     )
 
-    def __init__(self, folder: Path, cluster: Slurm):
-        super().__init__(folder)
-        self.environment = cluster.environment
-        self.cluster = cluster
-
-    def start_afresh(self, study: str) -> tuple[subprocess.Popen, str, str]:
-        """Start a study of one point anew; returns in the middle of its job, with job and node."""
-        table = f"smoke/results/tables/{study}.csv"
-        (self.folder / table).unlink()
-        for kind in ("logs", "runs"):
-            shutil.rmtree(self.folder / "smoke/results" / kind / study)
-        run = self.start(table)
-        wait(lambda: list(self.folder.glob(f"smoke/results/logs/{study}/*/0.mcap")), "the job")
+    def start_anew(self) -> tuple[subprocess.Popen, str, str]:
+        """Start the study of one job anew; returns in the middle of it, with job and node."""
+        for made in self.folder.glob(f"smoke/results/*/{ALONE}*"):
+            shutil.rmtree(made) if made.is_dir() else made.unlink()
+        run = self.start(*TABLES, FIGURE)
+        simulated = self.folder / f"smoke/results/logs/{ALONE}/base/0.mcap"
+        wait(simulated.exists, "the log")
         ((job, node),) = self.cluster.running()
         return run, job, node
 
 
 def check_tables(local: Copy, remote: OnSlurm) -> str:
+    begun = time.monotonic()
     local.snakemake(*TABLES, FIGURE)
+    alone = time.monotonic() - begun
     said = remote.snakemake(*TABLES, FIGURE)
+    took = time.monotonic() - begun - alone
     wanted = local.made()
-    assert len(wanted) > len(TABLES) and remote.made() == wanted
+    assert len(wanted) > len(TABLES) and remote.made() == wanted, "not the same bytes"
     assert "Nothing to be done" in remote.snakemake(*TABLES, FIGURE)
-    submitted = said.count("has been submitted with SLURM jobid")
-    jobs = said.count("Finished jobid: ")
-    return f"{len(wanted)} results of {jobs} jobs in {submitted} of Slurm are a local run's bytes"
+    jobs, submitted = (said.count(f"{what} jobid") for what in ("Finished", "with SLURM"))
+    return (
+        f"{len(wanted)} files as of a local run, byte for byte: {jobs} jobs in {submitted} of "
+        f"Slurm's, {took:.0f} s (local {alone:.0f} s)"
+    )
 
 
 def check_cancelled(local: Copy, remote: OnSlurm) -> str:
-    run, job, _ = remote.start_afresh("deadband")
+    run, job, node = remote.start_anew()
     remote.cluster.ask("scancel", job)
     said, _ = run.communicate(timeout=120)
-    assert run.returncode != 0, said
-    assert f"SLURM-job '{job}' failed, SLURM status is: 'CANCELLED'" in said, said
-    remote.snakemake(*TABLES, FIGURE)
-    assert remote.made() == local.made()
-    return "a job ended by scancel is reported; the same command completes, with the same bytes"
+    assert run.returncode != 0 and f"JOB {job} ON {node} CANCELLED" in said, said
+    return "a job ended by scancel ends the run, which says so"
 
 
 def check_node_down(local: Copy, remote: OnSlurm) -> str:
     cluster = remote.cluster
-    run, job, node = remote.start_afresh("deadband")
+    run, job, node = remote.start_anew()
     cluster.ask("scontrol", "update", f"nodename={node}", "state=DOWN", "reason=test")
-    wait(lambda: cluster.ask("squeue", "-h", "-j", job, "-o", "%T").strip() == "PENDING", "requeue")
-    copies = len(cluster.processes())
-    # Slurm holds a job that lost its node for two minutes.
+    # Slurm holds a job that lost its node for two minutes; its first copy may live on meanwhile.
+    wait(
+        lambda: cluster.ask("squeue", "-h", "-j", job, "-o", "%r").strip() == "BeginTime", "requeue"
+    )
     cluster.ask("scontrol", "update", f"jobid={job}", "starttime=now")
     said, _ = run.communicate(timeout=180)
     assert run.returncode == 0, said
-    assert remote.made() == local.made()
+    assert remote.made() == local.made(), "not the same bytes"
     shown = cluster.ask("scontrol", "show", "job", job)
-    assert "Restarts=1" in shown and f"NodeList={node}\n" not in shown, shown
-    return (
-        f"a node set DOWN loses nothing: its job is done by the other, with the same bytes {copies}"
-    )
+    assert "Restarts=1" in shown and f" NodeList={node}\n" not in shown, shown
+    return "the same command again, with a node set DOWN in mid-run, completes with the same bytes"
 
 
 def wait(condition: Callable[[], object], what: str) -> None:
@@ -140,23 +138,27 @@ def main() -> int:
     if reason:
         print(f"skipped: {reason}")
         return 0
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit("stopped"))  # as Ctrl-C: takes Slurm down
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C: Slurm is taken down
     begun = time.monotonic()
+    failed = False
 
     def say(what: str) -> None:
         print(f"{time.monotonic() - begun:4.0f} s  {what}", flush=True)
 
-    failed = False
     with tempfile.TemporaryDirectory(prefix="slurm-") as name:
-        cluster = Slurm(Path(name))
+        folder = Path(name)
+        cluster = Slurm(folder)
         try:
             with cluster.up():
                 say("Slurm is up, with two nodes")
-                local, remote = Copy(Path(name, "local")), OnSlurm(Path(name, "remote"), cluster)
+                local, remote = Copy(folder / "local", cluster), OnSlurm(folder / "remote", cluster)
                 for check in (check_tables, check_cancelled, check_node_down):
                     say(f"ok: {check(local, remote)}")
         except (AssertionError, TimeoutError, subprocess.SubprocessError) as error:
             say(f"FAILED: {error}")
+            failed = True
+        except KeyboardInterrupt:
+            say("FAILED: stopped")
             failed = True
         left = cluster.processes()
         say(f"FAILED: left are {left}" if left else "ok: Slurm is down, and no process is left")

@@ -44,7 +44,7 @@ JobAcctGatherType=jobacct_gather/none
 MinJobAge=3600
 KillWait=5
 CompleteWait=0
-ReturnToService=2
+ReturnToService=0
 NodeName=n1 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[1]} CPUs=1 RealMemory=2000
 NodeName=n2 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[2]} CPUs=1 RealMemory=2000
 PartitionName=main Nodes=n1,n2 Default=YES State=UP
@@ -108,12 +108,19 @@ class Slurm:
                 except subprocess.TimeoutExpired:
                     daemon.kill()
                     daemon.wait()
-            for process in self.processes():
+            self._end_jobs()
+
+    def _end_jobs(self) -> None:
+        """Kill what still runs under the configuration, until nothing does: for 10 s at most."""
+        end = time.monotonic() + 10
+        while (left := self.processes()) and time.monotonic() < end:
+            for process in left:
                 with suppress(ProcessLookupError):
                     os.kill(process, signal.SIGKILL)
+            time.sleep(0.1)
 
     def _start(self, *command: str) -> subprocess.Popen:
-        """A daemon as a child of this process, in a session of its own: Ctrl-C does not reach it."""
+        """A daemon as a child of this process, in a session that Ctrl-C does not reach."""
         with (self.folder / f"{command[0]}.out").open("a") as out:
             return subprocess.Popen(
                 command, env=self.environment, stdout=out, stderr=out, start_new_session=True
