@@ -158,13 +158,9 @@ def test_more_shards_than_trials_end_in_one_line(project):
     project.snakemake("-n", TABLE, "--config", "trials=4", "shards=4")
 
 
-def test_the_slurm_profile_names_every_filter_and_no_rule_that_is_not(project):
-    """A filter that it forgets would cost a job of Slurm for each of its points."""
+def test_the_slurm_profile_names_no_rule_that_is_not(project):
     profile = yaml.safe_load((project.folder / "profiles/slurm/config.yaml").read_text())
     rules = set(project.snakemake("--list-rules", "--quiet", "all").split())
-    catalogue = (project.folder / "workflow/rules/filters.smk").read_text()
-    filters = set(re.findall(r"^rule (\w+):|^use rule \w+ as (\w+)", catalogue, re.MULTILINE))
-    assert {name or flown for name, flown in filters} <= set(profile["groups"])
     assert {*profile["groups"], *profile["set-resources"]} <= rules
 
 
