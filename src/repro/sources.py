@@ -71,6 +71,7 @@ def _imported(file: Path) -> list[Path]:
     return files
 
 
+@cache
 def constants(script: str) -> dict:
     """Literal constants at the top of a script, read without running it."""
     found = {}
