@@ -55,13 +55,16 @@ class OnSlurm(Copy):
         *("--slurm-init-seconds-before-status-checks", "1"),
     )
 
-    def start_anew(self) -> tuple[subprocess.Popen, str, str]:
-        """Start the study of one job anew; returns in the middle of it, with job and node."""
+    def forget(self) -> None:
+        """Remove the results of the study of one job."""
         for made in self.folder.glob(f"smoke/results/*/{ALONE}*"):
             shutil.rmtree(made) if made.is_dir() else made.unlink()
+
+    def start_and_meet(self) -> tuple[subprocess.Popen, str, str]:
+        """Start what is not done yet; returns in the middle of its job, with job and node."""
         run = self.start(*TABLES, FIGURE)
         simulated = self.folder / f"smoke/results/logs/{ALONE}/base/0.mcap"
-        wait(simulated.exists, "the log")
+        wait(lambda: simulated.exists() and self.cluster.running(), "the log")
         ((job, node),) = self.cluster.running()
         return run, job, node
 
@@ -83,7 +86,8 @@ def check_tables(local: Copy, remote: OnSlurm) -> str:
 
 
 def check_cancelled(local: Copy, remote: OnSlurm) -> str:
-    run, job, node = remote.start_anew()
+    remote.forget()
+    run, job, node = remote.start_and_meet()
     remote.cluster.ask("scancel", job)
     said, _ = run.communicate(timeout=120)
     assert run.returncode != 0 and f"JOB {job} ON {node} CANCELLED" in said, said
@@ -91,8 +95,9 @@ def check_cancelled(local: Copy, remote: OnSlurm) -> str:
 
 
 def check_node_down(local: Copy, remote: OnSlurm) -> str:
+    """The command again after scancel: it does what that left undone, and loses its node."""
     cluster = remote.cluster
-    run, job, node = remote.start_anew()
+    run, job, node = remote.start_and_meet()
     cluster.ask("scontrol", "update", f"nodename={node}", "state=DOWN", "reason=test")
     # Slurm holds a job that lost its node for two minutes; its first copy may live on meanwhile.
     wait(
