@@ -41,6 +41,14 @@ class Columns:
         few._chosen, few.trials = chosen, int(chosen.sum())
         return few
 
+    def mean_over_steps(self) -> np.ndarray:
+        """Of each trial, (trials,); step by step, so that no sum depends on the blocks."""
+        total = np.zeros(self.trials)
+        for block in self.blocks():
+            for of_step in block:
+                total += of_step
+        return total / self.steps
+
     def blocks(self) -> Iterator[np.ndarray]:
         """All steps in order, some at a time, (steps, trials)."""
         for block in self._blocks():

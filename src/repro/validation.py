@@ -32,12 +32,17 @@ def _rectangular(validator, wanted, rows, schema):
         yield ValidationError(f"rows must be of one length; they have {[len(row) for row in rows]}")
 
 
+def _size(content: dict, name: str):
+    """A number, or the length of a list."""
+    value = content.get(name)
+    return len(value) if isinstance(value, list | tuple) else value
+
+
 def _length(validator, wanted, content, schema):
     """Schema keyword `length`: {list: the key of its length, or of a list as long}."""
     for name, other in wanted.items() if isinstance(content, dict) else ():
         if isinstance(content.get(name), list | tuple):
-            number = content.get(other)
-            number = len(number) if isinstance(number, list | tuple) else number
+            number = _size(content, other)
             if isinstance(number, int) and len(content[name]) != number:
                 yield ValidationError(
                     f"{name} has {len(content[name])} entries; {other} asks for {number}"
@@ -48,8 +53,7 @@ def _at_most(validator, wanted, content, schema):
     """Schema keyword `at_most`: {key: keys of its bounds, numbers or lists as long}."""
     for name, others in wanted.items() if isinstance(content, dict) else ():
         for other in others:
-            bound = content.get(other)
-            bound = len(bound) if isinstance(bound, list | tuple) else bound
+            bound = _size(content, other)
             if {type(content.get(name)), type(bound)} == {int} and content[name] > bound:
                 yield ValidationError(f"{name} is {content[name]}; {other} allows at most {bound}")
 

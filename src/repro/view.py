@@ -2,7 +2,6 @@
 
 import itertools
 import json
-from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -26,22 +25,18 @@ def trial_view(results: Results, study: str, point: str, trial: int) -> Log:
     if trial not in log.trials:
         last = log.trials[-1]
         raise ReproError(f"trial {trial}: {study}, {point} has the trials 0 to {last}; name one")
-    at = slice(int(np.flatnonzero(log.trials == trial)[0]), None)
+    at = int(np.flatnonzero(log.trials == trial)[0])
+    place = slice(at, at + 1)
     add = _add_flight if hasattr(study_module(study), "flight") else _add_estimate
-    view = _only(log, log.fields, at)
+    view = _only(log, place)
     for filter_ in results.filters(study, point):
-        view = add(view, results, filter_, at)
+        view = add(view, results, filter_, place)
     return view
 
 
-def _only(log: Log, topics: Iterable[str], trial: slice) -> Log:
-    """The first trial of a slice, and the named topics."""
-    trial = slice(trial.start, trial.start + 1)
-    return log._replace(
-        trials=log.trials[trial],
-        fields={topic: log.fields[topic] for topic in topics},
-        values={topic: log.values[topic][trial] for topic in topics},
-    )
+def _only(log: Log, trials: slice) -> Log:
+    values = {topic: values[trials] for topic, values in log.values.items()}
+    return log._replace(trials=log.trials[trials], values=values)
 
 
 def _with(view: Log, fields: tuple[str, ...], topics: dict[str, np.ndarray]) -> Log:
@@ -50,15 +45,14 @@ def _with(view: Log, fields: tuple[str, ...], topics: dict[str, np.ndarray]) -> 
     )
 
 
-def _add_estimate(view: Log, results: Results, filter_: str, trial: slice) -> Log:
-    error = results.runs(view.study, view.point, filter_).error[trial][:1]
+def _add_estimate(view: Log, results: Results, filter_: str, place: slice) -> Log:
+    error = results.runs(view.study, view.point, filter_).error[place]
     topics = {f"/estimate/{filter_}": view.values["/truth"] + error, f"/error/{filter_}": error}
     return _with(view, view.fields["/truth"], topics)
 
 
-def _add_flight(view: Log, results: Results, filter_: str, trial: slice) -> Log:
-    flight = results.flight(view.study, view.point, filter_)
-    flown = _only(flight, flight.fields, trial)
+def _add_flight(view: Log, results: Results, filter_: str, place: slice) -> Log:
+    flown = _only(results.flight(view.study, view.point, filter_), place)
     for topic, values in flown.values.items():
         name = topic if topic == "/reference" else f"{topic}/{filter_}"
         view = _with(view, flown.fields[topic], {name: values})

@@ -67,6 +67,12 @@ def test_no_bit_depends_on_shards_or_blocks(shards, block, monkeypatch):
             np.testing.assert_array_equal(found, value)
 
 
+def test_mean_over_steps():
+    for shards in (1, 3):
+        found = columns(VALUES, shards).mean_over_steps()
+        np.testing.assert_allclose(found, VALUES.mean(axis=1), rtol=1e-15)
+
+
 def test_some_of_the_trials():
     few = VALUES[:, 2] > 2.5
     assert 2 < few.sum() < 40

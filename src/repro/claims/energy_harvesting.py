@@ -50,21 +50,12 @@ def combination(what: str, weights: tuple[float, ...], errors: list[Columns]) ->
     )
 
 
-def mean_over_steps(squared: Columns) -> np.ndarray:
-    """Mean squared error of every run, (trials,)."""
-    total = np.zeros(squared.trials)
-    for block in squared.blocks():
-        for of_step in block:
-            total += of_step
-    return total / squared.steps
-
-
 def better(results, study, first, second, component, what) -> list[Part]:
     """(point, filter) `first` is more accurate: over all runs, in most, and over those not lost."""
     errors = [squared(results, study, *at, component) for at in (first, second)]
     parts = [
         combination(f"{what}, all runs", (1, -1), errors),
-        most(f"{what}, run by run", np.less(*(mean_over_steps(error) for error in errors))),
+        most(f"{what}, run by run", np.less(*(error.mean_over_steps() for error in errors))),
     ]
     if study == "ungm":
         return parts
