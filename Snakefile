@@ -7,6 +7,9 @@ min_version("9.18")
 include: "workflow/rules/common.smk"
 include: "workflow/rules/simulate.smk"
 include: "workflow/rules/filters.smk"
+include: "workflow/rules/papers/packet_delays.smk"
+include: "workflow/rules/papers/censored_network.smk"
+include: "workflow/rules/papers/unknown_losses.smk"
 include: "workflow/rules/results.smk"
 include: "workflow/rules/pages.smk"
 
@@ -26,13 +29,13 @@ localrules:
     verify,
 
 
-report: Path(RESULTS, "diff.rst").absolute()
+report: Path(LAYOUT.page("diff.rst")).absolute()
 
 
 rule all:
     default_target: True
     input:
-        f"{RESULTS}/manifest.json",
+        LAYOUT.page("manifest.json"),
 
 
 onsuccess:

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from repro.params import load_paper
+from repro.parameters.load import load_paper
 from repro.run import run
 from repro.simulate import simulated
 from repro.studies.linear_losses import TRIALS_A_BLOCK

@@ -12,7 +12,7 @@ import numpy as np
 from filterpy.kalman import ExtendedKalmanFilter, KalmanFilter
 
 from repro.models.sparse import dense
-from repro.params import load_paper
+from repro.parameters.load import load_paper
 from repro.run import run
 from repro.simulate import simulated
 from repro.studies import study_module

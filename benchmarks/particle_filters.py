@@ -17,9 +17,9 @@ from time import process_time
 
 import numpy as np
 
-from repro.filters import _particles
+from repro.filters.families import particle_filter
 from repro.models.coupled_targets import SignalStrength, log_squared_distance
-from repro.params import load_paper
+from repro.parameters.load import load_paper
 from repro.run import run
 from repro.simulate import simulated
 from repro.streams import Streams
@@ -52,7 +52,7 @@ def ours(y: np.ndarray, seed: int = 1) -> np.ndarray:
     a, b = STRENGTH.of_log_squared_distance()
 
     def move(x, cloud, k):
-        drawn = _particles.standard_normal(cloud.streams, 4, PARTICLES)
+        drawn = particle_filter.standard_normal(cloud.streams, 4, PARTICLES)
         drawn *= NOISE[:, None]
         drawn += x
         drawn[:, :2] += x[:, 2:]
@@ -66,9 +66,9 @@ def ours(y: np.ndarray, seed: int = 1) -> np.ndarray:
         return -0.5 * error.sum(axis=1)
 
     def initial(streams):
-        return _particles.gaussian(streams, START, np.diag(SPREAD), PARTICLES)
+        return particle_filter.gaussian(streams, START, np.diag(SPREAD), PARTICLES)
 
-    filter_ = _particles.bootstrap(initial, move, log_likelihood)
+    filter_ = particle_filter.bootstrap(initial, move, log_likelihood)
     estimates = np.empty((TRIALS, STEPS, 4))
     for first in range(0, TRIALS, BLOCK):
         block = slice(first, first + BLOCK)

@@ -18,7 +18,7 @@ import numpy as np
 from repro.logs import Log
 from repro.models import ungm
 from repro.network.energy_harvesting import transmission_probability
-from repro.params import load_paper
+from repro.parameters.load import load_paper
 from repro.run import run
 from repro.simulate import simulated
 from repro.studies import study_module

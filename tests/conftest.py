@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from repro.catalogue import matching_points
 from repro.logs import Log
-from repro.params import Point, load_paper
+from repro.parameters.load import Point, load_paper
 from repro.simulate import simulated
+from repro.workflow.registry import matching_points
 
 ROOT = Path(__file__).parent.parent
 SCHEMAS = ROOT / "workflow" / "schemas"

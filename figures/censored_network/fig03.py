@@ -1,6 +1,6 @@
 """Figure 3: true and estimated track of target 2, dead-band censoring."""
 
-from repro.plot.censored_network import track
+from repro.papers.censored_network.drawings import track
 
 NEEDS = {"points": {"deadband": ["base"]}}
 CAPTION = (

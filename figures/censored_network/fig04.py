@@ -1,6 +1,6 @@
 """Figure 4: true and estimated track of target 3, dead-band censoring."""
 
-from repro.plot.censored_network import track
+from repro.papers.censored_network.drawings import track
 
 NEEDS = {"points": {"deadband": ["base"]}}
 CAPTION = (

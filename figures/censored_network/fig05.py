@@ -1,6 +1,6 @@
 """Figure 5: what the filter of target 1 receives first, dead-band censoring."""
 
-from repro.plot.censored_network import first_component
+from repro.papers.censored_network.drawings import first_component
 
 NEEDS = {"points": {"deadband": ["base"]}}
 CAPTION = (

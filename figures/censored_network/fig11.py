@@ -1,6 +1,6 @@
 """Figure 11: true and estimated track of target 3, saturation censoring."""
 
-from repro.plot.censored_network import track
+from repro.papers.censored_network.drawings import track
 
 NEEDS = {"points": {"saturation": ["base"]}}
 CAPTION = (

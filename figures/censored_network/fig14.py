@@ -1,6 +1,6 @@
 """Figure 14: position RMSE of target 2 over k, saturation censoring."""
 
-from repro.plot.censored_network import rmse_over_k
+from repro.papers.censored_network.drawings import rmse_over_k
 
 NEEDS = {
     "tables": ["saturation"],

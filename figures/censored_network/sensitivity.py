@@ -1,6 +1,6 @@
 """Which published order survives which unstated assumption. Drawn on request: it takes minutes."""
 
-from repro.plot.censored_network import sensitivity
+from repro.papers.censored_network.drawings import sensitivity
 
 NEEDS = {"tables": ["deadband_sensitivity", "saturation_sensitivity"], "on_request": True}
 CAPTION = (

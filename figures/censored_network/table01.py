@@ -1,6 +1,6 @@
 """Table I: time-averaged position RMSE, dead-band censoring, published and reproduced."""
 
-from repro.plot.censored_network import time_averages
+from repro.papers.censored_network.drawings import time_averages
 
 NEEDS = {"points": {"deadband": ["base"]}, "diff": True}
 CAPTION = (

@@ -1,6 +1,6 @@
 """Table II: time-averaged position RMSE, saturation censoring, published and reproduced."""
 
-from repro.plot.censored_network import time_averages
+from repro.papers.censored_network.drawings import time_averages
 
 NEEDS = {"points": {"saturation": ["base"]}, "diff": True}
 CAPTION = (

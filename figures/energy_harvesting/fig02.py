@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from repro.papers.energy_harvesting.drawings import RUN, estimates
 from repro.plot import style
-from repro.plot.energy_harvesting import RUN, estimates
 
 NEEDS = {"points": {"ungm": ["base"]}}
 CAPTION = (

@@ -1,7 +1,7 @@
 """Figure 3: true and estimated track in the plane, one run."""
 
+from repro.papers.energy_harvesting.drawings import RUN, estimates
 from repro.plot import style
-from repro.plot.energy_harvesting import RUN, estimates
 
 NEEDS = {"points": {"rss_2d": ["base"]}}
 CAPTION = "Figure 3. The track in the plane and its estimate, the first run; k = 1 ... 100."

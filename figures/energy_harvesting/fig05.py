@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from repro.papers.energy_harvesting.drawings import RUN, SENSOR, sensor_of_run
 from repro.plot import style
-from repro.plot.energy_harvesting import RUN, SENSOR, sensor_of_run
 
 NEEDS = {"points": {"rss_2d": ["base"]}}
 CAPTION = "Figure 5. Energy level of sensor 4 in the first run, and when it transmits."

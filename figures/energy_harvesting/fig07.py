@@ -1,6 +1,6 @@
 """Figure 7: velocity RMSE in the plane."""
 
-from repro.plot.energy_harvesting import rmse_figure
+from repro.papers.energy_harvesting.drawings import rmse_figure
 
 NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["base"]}}
 CAPTION = (

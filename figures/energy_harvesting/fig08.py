@@ -1,6 +1,6 @@
 """Figure 8: RMSE of PF-ROSS-EH by the probability of saturation."""
 
-from repro.plot.energy_harvesting import sweep_figure
+from repro.papers.energy_harvesting.drawings import sweep_figure
 
 NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["base"]}}
 CAPTION = (

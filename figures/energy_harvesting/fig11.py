@@ -1,7 +1,7 @@
 """Figure 11: true and estimated track in space, one run."""
 
+from repro.papers.energy_harvesting.drawings import RUN, estimates
 from repro.plot import style
-from repro.plot.energy_harvesting import RUN, estimates
 
 NEEDS = {"points": {"rss_3d": ["base"]}}
 CAPTION = "Figure 11. The track in space and its estimate, the first run; k = 1 ... 100."

@@ -1,6 +1,6 @@
 """Figure 13: velocity RMSE in space."""
 
-from repro.plot.energy_harvesting import rmse_figure
+from repro.papers.energy_harvesting.drawings import rmse_figure
 
 NEEDS = {"tables": ["rss_3d"], "points": {"rss_3d": ["base"]}}
 CAPTION = (

@@ -1,7 +1,7 @@
 """The transmission probability by Lemma 1, by the exact chain, and as simulated."""
 
+from repro.papers.energy_harvesting.drawings import transmission
 from repro.plot import style
-from repro.plot.energy_harvesting import transmission
 
 NEEDS = {
     "points": {"rss_2d": ["base", "harvest=pi_2"], "ungm": ["reading-harvest=identity"]},

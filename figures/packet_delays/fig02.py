@@ -1,6 +1,6 @@
 """Figure 2: error of x2 over the packet arrival probability."""
 
-from repro.plot.linear_delays import error_over_arrival_probability
+from repro.papers.packet_delays.error_over_arrival import error_over_arrival_probability
 
 NEEDS = {"tables": ["linear_delays"]}
 CAPTION = (

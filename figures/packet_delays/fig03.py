@@ -1,6 +1,6 @@
 """Figure 3: trajectory of EKF and EMVF, p = 1."""
 
-from repro.plot.tracking import trajectories
+from repro.papers.packet_delays.tracks import trajectories
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=1", "n2-arrival=1"]}}
 CAPTION = (

@@ -1,6 +1,6 @@
 """Figure 4: estimation error of EKF and EMVF, p = 1."""
 
-from repro.plot.tracking import error_over_k
+from repro.papers.packet_delays.tracks import error_over_k
 
 NEEDS = {"tables": ["wsn_tracking"], "points": {"wsn_tracking": ["n1-arrival=1", "n2-arrival=1"]}}
 CAPTION = (

@@ -1,6 +1,6 @@
 """Figure 5: trajectory of EKF and EMVF, p = 0.98."""
 
-from repro.plot.tracking import first_trial, missed_steps, trajectories
+from repro.papers.packet_delays.tracks import first_trial, missed_steps, trajectories
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=0.98", "n2-arrival=0.98"]}}
 CAPTION = (

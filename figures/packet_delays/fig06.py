@@ -1,6 +1,6 @@
 """Figure 6: estimation error of EKF and EMVF, p = 0.98."""
 
-from repro.plot.tracking import error_over_k, first_trial, missed_steps
+from repro.papers.packet_delays.tracks import error_over_k, first_trial, missed_steps
 
 NEEDS = {
     "tables": ["wsn_tracking"],

@@ -1,6 +1,6 @@
 """Figure 7: trajectory of the EMVF, p = 0.95."""
 
-from repro.plot.tracking import first_trial, missed_steps, trajectories
+from repro.papers.packet_delays.tracks import first_trial, missed_steps, trajectories
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=0.95", "n2-arrival=0.95"]}}
 CAPTION = (

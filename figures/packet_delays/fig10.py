@@ -1,6 +1,6 @@
 """Figure 10: estimation error of the EMVF, p = 0.90."""
 
-from repro.plot.tracking import error_over_k, first_trial, missed_steps
+from repro.papers.packet_delays.tracks import error_over_k, first_trial, missed_steps
 
 NEEDS = {
     "tables": ["wsn_tracking"],

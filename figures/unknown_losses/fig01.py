@@ -1,6 +1,6 @@
 """Figure 1: sum of RMSE over the loss probability, linear system."""
 
-from repro.plot.losses import error_over_p
+from repro.papers.unknown_losses.drawings import error_over_p
 
 NEEDS = {"tables": ["linear_losses"]}
 CAPTION = (

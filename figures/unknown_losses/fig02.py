@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from repro.plot.losses import particles_needed
+from repro.papers.unknown_losses.drawings import particles_needed
 
 NEEDS = {
     "tables": ["linear_losses"],

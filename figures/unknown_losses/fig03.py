@@ -1,6 +1,6 @@
 """Figure 3: position RMSE of the radar over time, one panel a loss probability."""
 
-from repro.plot.losses import error_over_time
+from repro.papers.unknown_losses.drawings import error_over_time
 
 NEEDS = {"tables": ["radar"]}
 CAPTION = (

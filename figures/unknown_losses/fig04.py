@@ -1,6 +1,6 @@
 """Figure 4: position RMSE of the radar at p = 0.1, 0.5 and 0.8."""
 
-from repro.plot.losses import error_over_time_together
+from repro.papers.unknown_losses.drawings import error_over_time_together
 
 NEEDS = {"tables": ["radar"]}
 CAPTION = (

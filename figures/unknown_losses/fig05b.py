@@ -1,6 +1,6 @@
 """Figure 5b: true and estimated track, p = 0.7."""
 
-from repro.plot.losses import tracks
+from repro.papers.unknown_losses.drawings import tracks
 
 NEEDS = {"points": {"radar": ["loss=0.7"]}}
 CAPTION = (

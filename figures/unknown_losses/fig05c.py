@@ -1,6 +1,6 @@
 """Figure 5c: true and estimated track from a poor start, p = 0.9."""
 
-from repro.plot.losses import tracks
+from repro.papers.unknown_losses.drawings import tracks
 
 NEEDS = {"points": {"radar": ["poor-loss=0.9"]}}
 CAPTION = (

@@ -1,6 +1,6 @@
 """Figure 6: the structure of the quadrotor, drawn."""
 
-from repro.plot.drawings import quadrotor
+from repro.papers.unknown_losses.diagrams import quadrotor
 
 NEEDS = {}
 CAPTION = (

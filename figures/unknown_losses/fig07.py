@@ -1,6 +1,6 @@
 """Figure 7: the control architecture, drawn."""
 
-from repro.plot.drawings import control_loop
+from repro.papers.unknown_losses.diagrams import control_loop
 
 NEEDS = {}
 CAPTION = (

@@ -1,6 +1,6 @@
 """Figure 8: trajectories of the controlled quadrotor in space."""
 
-from repro.plot.flights import in_space
+from repro.papers.unknown_losses.flights import in_space
 
 NEEDS = {"points": {"quadrotor": ["nominal"]}}
 CAPTION = (

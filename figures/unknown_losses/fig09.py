@@ -1,6 +1,6 @@
 """Figure 9: trajectories over time."""
 
-from repro.plot.flights import over_time
+from repro.papers.unknown_losses.flights import over_time
 
 NEEDS = {"points": {"quadrotor": ["nominal"]}}
 CAPTION = (

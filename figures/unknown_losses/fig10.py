@@ -1,6 +1,6 @@
 """Figure 10: tracking error of the EKF that ignores the losses."""
 
-from repro.plot.flights import ignoring_losses
+from repro.papers.unknown_losses.flights import ignoring_losses
 
 NEEDS = {"points": {"quadrotor": ["nominal", "far"]}}
 CAPTION = (

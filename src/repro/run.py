@@ -6,12 +6,13 @@ from types import ModuleType
 
 import numpy as np
 
-from repro.channels import Seen
+from repro.atomic import atomic_write
 from repro.errors import ReproError, computing
 from repro.logs import Log, read_log, write_log
+from repro.network.channels import Seen
+from repro.statistics.runs import Runs
 from repro.streams import Streams
-from repro.studies import Runs, study_module
-from repro.whole import whole
+from repro.studies import study_module
 
 # Small enough for a block's covariances to stay in the cache; a study of clouds sets its own.
 TRIALS_A_BLOCK = 250
@@ -150,7 +151,7 @@ def run_filter(
     arrays = {f"recorded_{key}": value for key, value in runs.recorded.items()}
     if runs.claimed is not None:
         arrays["claimed"] = runs.claimed
-    with whole(path) as part, part.open("wb") as stream:
+    with atomic_write(path) as part, part.open("wb") as stream:
         np.savez(stream, trials=log.trials, error=runs.error, degenerate=runs.degenerate, **arrays)
 
 

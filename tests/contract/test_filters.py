@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from repro.channels import ALWAYS_SEEN
+from repro.network.channels import ALWAYS_SEEN
 from repro.run import filter_module, run
 from repro.studies import study_module
 from tests.conftest import points, registered, small_log

@@ -7,10 +7,10 @@ import pytest
 from scipy.integrate import quad
 from scipy.stats import norm
 
-from repro.filters import _censored_likelihood
+from repro.filters.families import censored_likelihood
 from repro.models.mixture_noise import MixtureNoise
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
-from repro.studies import _censored_network as study
+from repro.studies.families import censored_network as study
 from tests.conftest import points
 
 STUDIES = ("deadband", "saturation")
@@ -49,7 +49,7 @@ def test_likelihoods_integrate_to_one(name, position):
         low, high = model.censoring.lower, model.censoring.upper
         pieces = [(low, high)] if name == "saturation" else [(-90, low), (high, 90)]
         mean = 10 - 20 * np.log10(np.hypot(*(np.array(position) - sensor)))
-        likelihood = _censored_likelihood.build(model)
+        likelihood = censored_likelihood.build(model)
         total = sum(one_reading(likelihood, position, code, 0.0) for code in CODES[name])
         for left, right in pieces:
             near = [mean] if left < mean < right else None
@@ -67,14 +67,12 @@ def test_likelihoods_integrate_to_one(name, position):
 def test_tables_are_as_good_as_the_functions(name):
     model = known(name)
     weakest, strongest = model.strength.range()
-    step = _censored_likelihood.STEP
+    step = censored_likelihood.STEP
     nodes = np.arange(weakest, strongest + 2 * step, step)
     strength = np.random.default_rng(0).uniform(weakest, strongest, 20000)
     for code in CODES[name]:
-        table = _censored_likelihood.Table(
-            *_censored_likelihood.log_probability(model, code, nodes)
-        )
-        exact, _ = _censored_likelihood.log_probability(model, code, strength)
+        table = censored_likelihood.Table(*censored_likelihood.log_probability(model, code, nodes))
+        exact, _ = censored_likelihood.log_probability(model, code, strength)
         np.testing.assert_allclose(table((strength - weakest) / step), exact, rtol=1e-12, atol=1e-8)
 
 
@@ -88,11 +86,10 @@ def test_censored_probabilities_as_printed():
         (saturation, BELOW, cumulative(low)),
         (saturation, ABOVE, cumulative(-high)),
     ):
-        value, slope = _censored_likelihood.log_probability(model, code, strength)
+        value, slope = censored_likelihood.log_probability(model, code, strength)
         np.testing.assert_allclose(np.exp(value), naive, rtol=1e-10, atol=1e-15)
         shifted = [
-            _censored_likelihood.log_probability(model, code, strength + h)[0]
-            for h in (1e-5, -1e-5)
+            censored_likelihood.log_probability(model, code, strength + h)[0] for h in (1e-5, -1e-5)
         ]
         np.testing.assert_allclose(slope, (shifted[0] - shifted[1]) / 2e-5, rtol=1e-5, atol=1e-8)
 
@@ -139,7 +136,7 @@ def test_likelihood_of_both_groups_as_printed(name):
     seen = SimpleNamespace(
         received=readings, code=codes, group_probability=np.broadcast_to([0.2, 0.8], (6, 3, 2))
     )
-    found = _censored_likelihood.build(model)(x, seen, 1)
+    found = censored_likelihood.build(model)(x, seen, 1)
     assert len(np.unique(codes)) == 1 + len(CODES[name])
     for t in range(6):
         for i in range(3):
@@ -160,7 +157,7 @@ def test_without_censoring_nothing_is_compensated(censoring):
         received=readings, code=codes, group_probability=np.broadcast_to([0.2, 0.8], (4, 3, 2))
     )
     x = rng.uniform(20, 60, (4, 3, 3, 100))
-    likelihoods = [_censored_likelihood.build(model, flag)(x, seen, 1) for flag in (True, False)]
+    likelihoods = [censored_likelihood.build(model, flag)(x, seen, 1) for flag in (True, False)]
     np.testing.assert_array_equal(*likelihoods)
 
 
@@ -169,7 +166,7 @@ def test_a_certain_group_is_the_only_one():
     x = rng.uniform(20, 60, (1, 1, 3, 50))
     received, code = censored(rng.uniform(-25, 0, (1, 1, 3)), model.censoring)
     seen = SimpleNamespace(received=received, code=code, group_probability=np.array([[[1.0, 0.0]]]))
-    both = _censored_likelihood.build(model)(x, seen, 1)
+    both = censored_likelihood.build(model)(x, seen, 1)
     alone = model._replace(sensors=model.sensors[:1])
     seen.group_probability = np.ones((1, 1, 1))
-    np.testing.assert_allclose(both, _censored_likelihood.build(alone)(x, seen, 1), rtol=1e-13)
+    np.testing.assert_allclose(both, censored_likelihood.build(alone)(x, seen, 1), rtol=1e-13)

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy.stats import norm
 
-from repro.filters import _particles, _protocol_particles
+from repro.filters.families import particle_filter, protocol_particles
 from repro.network.censoring import censored
 from repro.run import run
 from repro.streams import Streams
-from repro.studies import _censored_network as study
+from repro.studies.families import censored_network as study
 from tests.conftest import small_log
 from tests.oracle.test_censored_likelihood import STUDIES, group_likelihood, known
 
@@ -33,7 +33,7 @@ def test_without_coupling_mapf_is_mapf_nc(change):
     loop = study.channels(log, slice(None), log.parameters)
     estimates = []
     for coupled in (True, False):
-        filter_ = _protocol_particles.auxiliary(model, SETTINGS, coupled=coupled)
+        filter_ = protocol_particles.auxiliary(model, SETTINGS, coupled=coupled)
         state = filter_.init(streams(2))
         for k in range(1, 6):
             state = filter_.step(state, k, SimpleNamespace(**loop.at(k, None)))
@@ -123,7 +123,7 @@ def test_filters_approach_the_grid_filter(name):
     assert len({*np.unique(np.concatenate([d.code for d in data[1:]]))}) == 2
     exact = grid_means(model, data)
     sizes = (250, 1000, 4000)
-    for build in (_protocol_particles.auxiliary, _protocol_particles.bootstrap):
+    for build in (protocol_particles.auxiliary, protocol_particles.bootstrap):
         medians = []
         for size in sizes:
             filter_ = build(model, SETTINGS | {"particles": size})
@@ -147,18 +147,18 @@ def test_linear_gaussian_limit_is_the_kalman_filter(kernel):
         return transition @ x
 
     def disturb(moved, cloud, k):
-        return moved + noise[:, None] * _particles.standard_normal(cloud.streams, 2, size)
+        return moved + noise[:, None] * particle_filter.standard_normal(cloud.streams, 2, size)
 
     def log_likelihood(x, y, k):
         return -0.5 * (y[:, None] - x[:, 0]) ** 2 / r
 
     def initial(drawn):
-        return _particles.gaussian(drawn, mean0, root0, size)
+        return particle_filter.gaussian(drawn, mean0, root0, size)
 
     if kernel == "auxiliary":
-        filter_ = _particles.auxiliary(initial, drift, disturb, log_likelihood)
+        filter_ = particle_filter.auxiliary(initial, drift, disturb, log_likelihood)
     else:
-        filter_ = _particles.bootstrap(
+        filter_ = particle_filter.bootstrap(
             initial, lambda x, cloud, k: disturb(drift(x, k), cloud, k), log_likelihood
         )
     rng = np.random.default_rng(4)

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from repro.filters import _ross_eh
+from repro.filters.families import ross_eh
 from repro.models.sensor_network import ExponentialNoise, GaussianNoise, SensorNetwork
 from repro.network import energy_harvesting
 from repro.network.energy_harvesting import EnergyQueue
 from repro.network.saturation import Saturation, saturated
-from repro.params import load_paper
+from repro.parameters.load import load_paper
 from repro.run import run
 from repro.simulate import simulated
 from repro.streams import Streams
@@ -197,7 +197,7 @@ def test_transmission_probability_cancels_where_losses_are_seen():
     settings = BOOTSTRAP | {"particles": 200}
     estimates = []
     for rule in ("lemma1", "exact"):
-        filter_ = _ross_eh.build(model, settings, saturates=True, transmission=rule)
+        filter_ = ross_eh.build(model, settings, saturates=True, transmission=rule)
         estimates.append(run_filter(filter_, log))
     np.testing.assert_allclose(*estimates, atol=1e-6)
 
@@ -243,7 +243,7 @@ def test_linear_gaussian_is_the_kalman_filter():
         noise=GaussianNoise(np.array([r - 0.1]), 0.1),
     )
     settings = BOOTSTRAP | {"particles": 20_000}
-    filter_ = _ross_eh.build(model, settings, saturates=False, transmission=None)
+    filter_ = ross_eh.build(model, settings, saturates=False, transmission=None)
     streams = Streams(SEED, "linear", "filter", range(trials))
     state = filter_.init(streams)
     for k in range(1, steps + 1):

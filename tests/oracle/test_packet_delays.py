@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scipy.linalg import solve_discrete_are
 
-from repro.filters import _second_moments, best_in_form, emvf, sun
+from repro.filters import best_in_form, emvf, sun
+from repro.filters.families import second_moments
 from repro.models import DelayNetwork
 from repro.network.packet_delays import mean_weights
 from repro.run import run
@@ -124,11 +125,11 @@ def test_omvf_covariance_without_losses_is_the_riccati_solution():
 
 def true_error(model, gains):
     """Exact mean square error at the last step of a filter of form (6) with the given (F, K)."""
-    moment = _second_moments.initial(model, model.initial_second_moment)
+    moment = second_moments.initial(model, model.initial_second_moment)
     for k, (transfer, gain) in enumerate(gains):
-        moment = _second_moments.predict(model, moment, k)
-        moment = _second_moments.update(model, moment, transfer, gain)
-    return _second_moments.mean_square_error(moment, 2)
+        moment = second_moments.predict(model, moment, k)
+        moment = second_moments.update(model, moment, transfer, gain)
+    return second_moments.mean_square_error(moment, 2)
 
 
 def omvf_gains(model, steps, settings=None):

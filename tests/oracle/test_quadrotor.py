@@ -10,8 +10,8 @@ from repro.filters import Filter
 from repro.logs import read_log
 from repro.models import quadrotor as model
 from repro.run import filter_module, run, run_filter
-from repro.shards import Shards
 from repro.simulate import simulate, simulated
+from repro.statistics.shards import Shards
 from repro.studies import quadrotor as study
 from tests.conftest import points
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from scipy.stats import multivariate_normal
 
-from repro import textbook
 from repro.models.sparse import dense
+from repro.papers.unknown_losses import operation_counts
 from repro.run import run
 from repro.studies import linear_losses, radar
 from tests.conftest import points, small_log
@@ -106,7 +106,7 @@ def test_the_printed_algorithms_agree(study, name):
     for trial in range(4):
         x, sigma = model.initial_mean, model.initial_covariance
         for k in range(first, found.shape[1]):
-            count = textbook.Operations()
+            count = operation_counts.Operations()
             if k > 0:
                 a = dense(model.transition_jacobian(x, k - 1), (), n)
                 x = model.transition(x, k - 1)
@@ -114,9 +114,9 @@ def test_the_printed_algorithms_agree(study, name):
             y = log.values["/received"][trial, k]
             innovation = model.innovation(y, model.measurement(x, None))
             c = dense(model.measurement_jacobian(x, None), (), n)
-            at = textbook.Linearised(innovation, c, model.measurement_covariance, y)
+            at = operation_counts.Linearised(innovation, c, model.measurement_covariance, y)
             known = log.values["/network"][trial, k, 0] if name == "iekf" else 0.5
-            x, sigma = getattr(textbook, name)(count, x, sigma, at, known)
+            x, sigma = getattr(operation_counts, name)(count, x, sigma, at, known)
             np.testing.assert_allclose(found[trial, k], x, rtol=1e-6, atol=1e-6)
             assert count.products == (9 if name == "bkf_2" else 7) - (2 if k == 0 else 0)
 
@@ -247,7 +247,7 @@ def test_bkf_2_with_its_literal_prior_becomes_the_kalman_filter():
 
 
 def test_table_1_is_counted():
-    rows = textbook.table_1(n=6, m=2, particles=20)
+    rows = operation_counts.table_1(n=6, m=2, particles=20)
     counted = {(row["filter"], row["component"]): row["value"] for row in rows}
     assert counted["iekf", "densities"] == 0
     assert counted["iekf", "products"] == counted["bkf_1", "products"] == 7

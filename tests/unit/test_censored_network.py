@@ -6,7 +6,7 @@ import pytest
 from repro.models.coupled_targets import SignalStrength, drift, log_squared_distance
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
 from repro.network.random_access import transmitted, transmitting_group
-from repro.studies import _censored_network as study
+from repro.studies.families import censored_network as study
 from tests.conftest import points, small_log
 
 IDEAL = np.array([-11.0, -10.0, -9.99, 0.0, 9.99, 10.0, 11.0])

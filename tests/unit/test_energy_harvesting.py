@@ -5,7 +5,7 @@ import pytest
 
 from repro.network import energy_harvesting, saturation
 from repro.network.energy_harvesting import EnergyQueue
-from repro.params import ParameterError, load_paper
+from repro.parameters.load import ParameterError, load_paper
 from tests.conftest import ROOT, SCHEMAS
 
 PI_1 = np.array(

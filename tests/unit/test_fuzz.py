@@ -13,11 +13,11 @@ from mcap.writer import Writer
 
 from repro.errors import ReproError
 from repro.logs import read_foreign, read_log, write_log
-from repro.params import load_paper, load_run
+from repro.parameters.load import load_paper, load_run
+from repro.parameters.validation import validate
+from repro.parameters.yaml_file import read_yaml
 from repro.run import run_filter
 from repro.simulate import simulate
-from repro.validation import validate
-from repro.yaml_file import read_yaml
 from tests.conftest import ROOT, SCHEMAS, SEED, points, registered, small_log
 
 PAPERS = {

@@ -3,11 +3,12 @@
 import pytest
 
 from repro.errors import ReproError
-from repro.job import USAGE, job
+from repro.workflow.job import USAGE, job
 
 
 def test_usage_is_logged(tmp_path):
-    job(tmp_path / "log", lambda: sum(range(1000)))
+    with job(tmp_path / "log"):
+        sum(range(1000))
     assert (tmp_path / "log").read_text().startswith(USAGE)
 
 
@@ -17,23 +18,20 @@ def test_usage_is_logged(tmp_path):
         (ReproError("a.mcap: topic /x: missing"), "error: a.mcap: topic /x: missing"),
         (
             OSError(28, "No space left on device", "a.npz"),
-            "error: a.npz: No space left on device: mend it and run again",
+            "error: a.npz: No space left on device: fix it and run again",
         ),
     ],
 )
 def test_a_fault_ends_in_one_line(fault, said, tmp_path):
-    def work():
+    with pytest.raises(SystemExit) as ended, job(tmp_path / "log"):
         raise fault
-
-    with pytest.raises(SystemExit) as ended:
-        job(tmp_path / "log", work)
     assert str(ended.value) == said
     assert (tmp_path / "log").read_text() == said + "\n"
 
 
 def test_a_log_on_the_full_disk_is_no_second_fault(tmp_path):
-    def work():
+    with (
+        pytest.raises(SystemExit, match=r"a\.npz: No space left"),
+        job(tmp_path / "no folder" / "log"),
+    ):
         raise OSError(28, "No space left on device", "a.npz")
-
-    with pytest.raises(SystemExit, match=r"a\.npz: No space left"):
-        job(tmp_path / "no folder" / "log", work)

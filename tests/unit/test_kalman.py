@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from repro.filters import _kalman
+from repro.filters.families import kalman
 from repro.models import Model
 from repro.models.sparse import combine, dense, rows
 
@@ -35,7 +35,7 @@ def random_model(generator, n, m):
 
 
 def unpacked(packed, n):
-    return packed[_kalman._places(n)]
+    return packed[kalman._places(n)]
 
 
 @pytest.mark.parametrize(("n", "m"), [(2, 1), (3, 3), (6, 2), (12, 12)])
@@ -43,15 +43,15 @@ def test_a_step_is_the_kalman_filters(n, m):
     """R is not diagonal and A is dense: nothing rests on the structure of the paper's examples."""
     generator = np.random.default_rng(n)
     model, a, c = random_model(generator, n, m)
-    x, p = _kalman.start(model, SYSTEMS)
+    x, p = kalman.start(model, SYSTEMS)
     x += generator.normal(size=x.shape)
     received = generator.normal(size=(SYSTEMS, m))
     weight = np.array([0.0, 1.0, 0.3, 1.0])
-    predicted, packed = _kalman.predict(model, x, p, 0)
-    innovation = _kalman.innovate(model, predicted, packed, received)
-    likelihood = _kalman.log_likelihood(innovation)
-    noise = _kalman.noise_log_likelihood(model)(received)
-    estimate, corrected = _kalman.correct(
+    predicted, packed = kalman.predict(model, x, p, 0)
+    innovation = kalman.innovate(model, predicted, packed, received)
+    likelihood = kalman.log_likelihood(innovation)
+    noise = kalman.noise_log_likelihood(model)(received)
+    estimate, corrected = kalman.correct(
         predicted.copy(), packed.copy(), innovation, weight, spread=True
     )
     r, sigma = model.measurement_covariance, a @ model.initial_covariance @ a.T

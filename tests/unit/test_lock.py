@@ -1,6 +1,6 @@
 """A killed run's locks go; those of a run that is alive stay."""
 
-from repro.lock import hold
+from repro.workflow.lock import hold
 
 
 def test_locks_go_when_no_process_is_alive_and_stay_otherwise(tmp_path):

@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from repro import metrics
-from repro.results import Results
-from repro.shards import Columns
+from repro.statistics import metrics
+from repro.statistics.shards import Columns
+from repro.tables.results import Results
 
 VALUES = np.random.default_rng(5).gamma(2.0, size=(40, 3))
 STATISTICS = (
@@ -61,7 +61,7 @@ def test_rmse_over_steps_is_the_brute_force_one():
 @pytest.mark.parametrize("shards", [1, 2, 7, 40])
 def test_no_bit_depends_on_shards_or_blocks(shards, block, monkeypatch):
     wanted = [list(of(columns(VALUES, 1))) for of in STATISTICS]
-    monkeypatch.setattr("repro.shards.BLOCK", block)
+    monkeypatch.setattr("repro.statistics.shards.BLOCK", block)
     for of, statistic in zip(STATISTICS, wanted, strict=True):
         for found, value in zip(of(columns(VALUES, shards)), statistic, strict=True):
             np.testing.assert_array_equal(found, value)

@@ -9,7 +9,7 @@ from mcap.writer import Writer
 from mcap_ros2.writer import Writer as Ros2Writer
 
 from repro.errors import ReproError
-from repro.own import run_own
+from repro.inspect.user_log import run_own
 from repro.run import run
 from tests.conftest import points, small_log
 

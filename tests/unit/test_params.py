@@ -3,7 +3,7 @@ import copy
 import pytest
 import yaml
 
-from repro.params import ParameterError, load_paper, load_run, sources
+from repro.parameters.load import ParameterError, load_paper, load_run, sources
 from tests.conftest import ROOT, SCHEMAS
 
 PAPER = ROOT / "params" / "packet_delays.yaml"

@@ -4,10 +4,10 @@ import pandas as pd
 import pytest
 from docutils.core import publish_parts
 
-from repro.claims import Part, below, most, overall, smaller
 from repro.errors import ReproError
-from repro.published import COLUMNS, compare, compare_value, read_published, verify
-from repro.verdict_pages import markdown, restructured, tally_lines
+from repro.pages.verdicts import markdown, restructured, tally_lines
+from repro.verdicts.claims import Part, below, most, overall, smaller
+from repro.verdicts.published import COLUMNS, compare, compare_value, read_published, verify
 
 
 def ours(value, mcse, trials):

@@ -6,8 +6,8 @@ from scipy.spatial.transform import Rotation
 
 from repro.control import cascaded_pid, path
 from repro.errors import ReproError
+from repro.inspect.user_log import run_own
 from repro.models import quadrotor as model
-from repro.own import run_own
 from repro.studies import quadrotor as study
 from tests.conftest import points
 

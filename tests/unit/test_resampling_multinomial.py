@@ -1,6 +1,6 @@
 import numpy as np
 
-from repro.filters._resampling import multinomial
+from repro.kernels.resampling import multinomial
 
 
 def test_children_are_multinomial():

@@ -4,10 +4,11 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from repro import metrics, sensitivity
-from repro.results import Results
-from repro.shards import Columns
-from repro.studies import _censored_network as study
+from repro.papers.censored_network import sensitivity
+from repro.statistics import metrics
+from repro.statistics.shards import Columns
+from repro.studies.families import censored_network as study
+from repro.tables.results import Results
 
 SCALE = {"mapf": 1.0, "mpf": 1.0, "mapf_nc": 2.0, "mapf_nmc": 1.5, "dead_reckoning": 3.0}
 

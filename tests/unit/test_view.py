@@ -8,10 +8,10 @@ from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 
 from repro.errors import ReproError
+from repro.inspect.view import LAYOUT, write_view
 from repro.logs import write_log
-from repro.results import Results
 from repro.run import run_filter
-from repro.view import LAYOUT, write_view
+from repro.tables.results import Results
 from tests.conftest import points, small_log
 
 STUDY, POINT, FILTERS = "wsn_tracking", "n2-arrival=0.9", ["emvf", "ekf"]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from repro.sources import code_files, constants
+from repro.workflow.code import code_files, constants
 from tests.conftest import ROOT, registered
 
 HEAVY = ("pandas", "matplotlib", "scipy.stats")
@@ -16,7 +16,7 @@ HEAVY = ("pandas", "matplotlib", "scipy.stats")
 def test_code_agrees_with_what_a_fresh_process_imports(name, study, point):
     script = f"""
 import sys
-import repro.job
+import repro.workflow.job
 from repro.run import filter_module, study_module
 filter_module("{name}"), study_module("{study}")
 mine = [module for name, module in sys.modules.items() if name.split(".")[0] == "repro"]
@@ -31,7 +31,9 @@ print([name for name in {HEAVY} if name in sys.modules])
         env={"PYTHONPATH": str(ROOT / "src")},
     )
     *imported, heavy = done.stdout.split("\n")[:-1]
-    wanted = code_files("repro.job", "repro.run", f"repro.filters.{name}", f"repro.studies.{study}")
+    wanted = code_files(
+        "repro.workflow.job", "repro.run", f"repro.filters.{name}", f"repro.studies.{study}"
+    )
     assert [str(Path(file).relative_to(ROOT)) for file in imported] == wanted
     assert heavy == "[]"
 

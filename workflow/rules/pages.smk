@@ -3,11 +3,11 @@ rule assumptions:
     input:
         files=PARAMETER_FILES,
         published=[f"params/published/{paper}.csv" for paper in PAPERS],
-        tables=expand(f"{RESULTS}/tables/{{study}}.csv", study=STUDIES),
+        tables=[LAYOUT.table(study) for study in STUDIES],
     output:
-        f"{RESULTS}/assumptions.md",
+        LAYOUT.page("assumptions.md"),
     log:
-        f"{RESULTS}/job_logs/assumptions.log",
+        LAYOUT.job_log("assumptions"),
     conda:
         ENVIRONMENT
     params:
@@ -19,12 +19,12 @@ rule assumptions:
                     study: {name: point._asdict() for name, point in points.items()}
                     for study, points in content.studies.items()
                 },
-                "tables": {study: f"{RESULTS}/tables/{study}.csv" for study in content.studies},
+                "tables": {study: LAYOUT.table(study) for study in content.studies},
             }
             for paper, content in PAPERS.items()
         },
         tolerance=RUN["tolerance"],
-        code=code("repro.assumptions"),
+        code=code("repro.pages.assumptions"),
     script:
         "../scripts/assumptions.py"
 
@@ -35,13 +35,13 @@ rule gallery:
     output:
         f"{FIGURES}/README.md",
     log:
-        f"{RESULTS}/job_logs/gallery.log",
+        LAYOUT.job_log("gallery"),
     conda:
         ENVIRONMENT
     params:
         titles={"overview": "All papers."}
         | {paper: f"{content.authors}: {content.title}." for paper, content in PAPERS.items()},
-        code=code("repro.gallery"),
+        code=code("repro.pages.gallery"),
     script:
         "../scripts/gallery.py"
 
@@ -55,30 +55,30 @@ rule manifest:
             rules.diff.input.tables,
             rules.parameters.output,
             rules.assumptions.output,
-            expand(f"{RESULTS}/curves/{{study}}.csv", study=STUDIES),
+            [LAYOUT.curves(study) for study in STUDIES],
         ],
-        logs=[file for study in STUDIES for file in log_files(study)],
+        logs=[file for study in STUDIES for file in REGISTRY.log_files(study)],
         figures=[*figure_files(), rules.gallery.output],
     output:
-        f"{RESULTS}/manifest.json",
+        LAYOUT.page("manifest.json"),
     log:
-        f"{RESULTS}/job_logs/manifest.log",
+        LAYOUT.job_log("manifest"),
     conda:
         ENVIRONMENT
     params:
         commit=commit(),
         seed=RUN["root_seed"],
-        code=code("repro.manifest"),
+        code=code("repro.provenance.manifest"),
     script:
         "../scripts/manifest.py"
 
 
 rule verify:
     input:
-        diff=f"{RESULTS}/diff.csv",
-        manifest=f"{RESULTS}/manifest.json",
+        diff=LAYOUT.page("diff.csv"),
+        manifest=LAYOUT.page("manifest.json"),
     log:
-        f"{RESULTS}/job_logs/verify.log",
+        LAYOUT.job_log("verify"),
     conda:
         ENVIRONMENT
     script:
@@ -87,75 +87,75 @@ rule verify:
 
 rule timings:
     input:
-        f"{RESULTS}/manifest.json",
+        LAYOUT.page("manifest.json"),
     log:
-        f"{RESULTS}/job_logs/timings.log",
+        LAYOUT.job_log("timings"),
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: RESULTS,
+        results=str(LAYOUT.root),
     script:
         "../scripts/timings.py"
 
 
 rule view:
     input:
-        logs=lambda wildcards: log_files(wildcards.study, [wildcards.point]),
-        runs=lambda wildcards: run_files(wildcards.study, [wildcards.point]),
-        flights=lambda wildcards: flight_files(wildcards.study, wildcards.point),
+        logs=lambda wildcards: REGISTRY.log_files(wildcards.study, [wildcards.point]),
+        runs=lambda wildcards: REGISTRY.run_files(wildcards.study, [wildcards.point]),
+        flights=lambda wildcards: REGISTRY.flight_files(wildcards.study, wildcards.point),
     output:
-        view=f"{RESULTS}/views/{{study}}/{{point}}/trial-{{trial}}.mcap",
-        layout=f"{RESULTS}/views/{{study}}/{{point}}/trial-{{trial}}.layout.json",
+        view=f"{LAYOUT.view()}.mcap",
+        layout=f"{LAYOUT.view()}.layout.json",
     log:
-        logfile("view", "study", "point", "trial"),
+        LAYOUT.job_log("view", "{study}", "{point}", "{trial}"),
     wildcard_constraints:
         trial="[0-9]+",
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: RESULTS,
-        catalogue=lambda wildcards: catalogue(wildcards.study),
-        shards=len(SHARDS),
-        code=code("repro.view"),
+        results=lambda wildcards: results_of([wildcards.study]),
+        code=code("repro.inspect.view"),
     script:
         "../scripts/view.py"
 
 
 rule archive:
     input:
-        manifest=f"{RESULTS}/manifest.json",
+        manifest=LAYOUT.page("manifest.json"),
     output:
-        f"{RESULTS}/archive.zip",
+        LAYOUT.page("archive.zip"),
     log:
-        f"{RESULTS}/job_logs/archive.log",
+        LAYOUT.job_log("archive"),
     conda:
         ENVIRONMENT
     params:
-        code=code("repro.archive"),
+        code=code("repro.provenance.archive"),
     script:
         "../scripts/archive.py"
 
 
-rule own:
+rule user_log:
     input:
-        log=lambda wildcards: asked("log"),
+        log=lambda wildcards: user_log("log"),
     output:
-        f"{RESULTS}/own/{{filter}}.csv",
+        LAYOUT.user_estimates(),
     log:
-        logfile("own", "filter"),
+        LAYOUT.job_log("own", "{filter}"),
     wildcard_constraints:
         filter="[a-z0-9_]+",
     conda:
         ENVIRONMENT
     params:
-        asked=lambda wildcards: {
-            "study": asked("study"),
-            "point": asked("point"),
-            "parameters": asked_point().parameters,
-            "settings": asked_point().filters.get(wildcards.filter, {}),
+        user_log=lambda wildcards: {
+            "study": user_log("study"),
+            "point": user_log("point"),
+            "parameters": user_log_point().parameters,
+            "settings": user_log_point().filters.get(wildcards.filter, {}),
         },
         code=lambda wildcards: code_digest(
-            "repro.own", f"repro.filters.{wildcards.filter}", f"repro.studies.{asked('study')}"
+            "repro.inspect.user_log",
+            f"repro.filters.{wildcards.filter}",
+            f"repro.studies.{user_log('study')}",
         ),
     script:
         "../scripts/own.py"

@@ -1,111 +1,51 @@
 # Stops 4 to 6 of the data: tables, claims, diff, figures.
 rule table:
     input:
-        runs=lambda wildcards: run_files(wildcards.study),
+        runs=lambda wildcards: REGISTRY.run_files(wildcards.study),
     output:
         table=report(
-            f"{RESULTS}/tables/{{study}}.csv",
+            LAYOUT.table(),
             category="Tables",
             labels={"table": "{study}"},
             caption="../report/table.rst",
         ),
-        curves=f"{RESULTS}/curves/{{study}}.csv",
+        curves=LAYOUT.curves(),
     log:
-        logfile("table", "study"),
+        LAYOUT.job_log("table", "{study}"),
     benchmark:
-        timing("table", "study")
+        LAYOUT.timing("table", "{study}")
     wildcard_constraints:
         study="|".join(STUDIES),
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: RESULTS,
-        catalogue=lambda wildcards: catalogue(wildcards.study),
-        shards=len(SHARDS),
-        code=code("repro.tables"),
+        results=lambda wildcards: results_of([wildcards.study]),
+        code=code("repro.tables.study_tables"),
     script:
         "../scripts/table.py"
-
-
-rule packet_example:
-    output:
-        f"{RESULTS}/tables/packet_example.csv",
-    log:
-        f"{RESULTS}/job_logs/packet_example.log",
-    conda:
-        ENVIRONMENT
-    params:
-        example=PAPERS["packet_delays"].examples["table_1"],
-        code=code("repro.tables"),
-    script:
-        "../scripts/packet_example.py"
-
-
-rule sensitivity:
-    input:
-        runs=lambda wildcards: sensitivity_runs(wildcards.study),
-    output:
-        f"{RESULTS}/tables/{{study}}_sensitivity.csv",
-    log:
-        logfile("sensitivity", "study"),
-    benchmark:
-        timing("sensitivity", "study")
-    wildcard_constraints:
-        study="|".join(PAPERS["censored_network"].studies),
-    conda:
-        ENVIRONMENT
-    params:
-        results=lambda wildcards: RESULTS,
-        catalogue=lambda wildcards: {
-            wildcards.study: {**CATALOGUE[wildcards.study], **REQUESTED[wildcards.study]}
-        },
-        shards=len(SHARDS),
-        prefix=ON_REQUEST,
-        tolerance=RUN["tolerance"],
-        code=code("repro.sensitivity"),
-    script:
-        "../scripts/sensitivity.py"
-
-
-rule complexity:
-    output:
-        f"{RESULTS}/tables/complexity.csv",
-    log:
-        f"{RESULTS}/job_logs/complexity.log",
-    conda:
-        ENVIRONMENT
-    params:
-        n=6,
-        m=2,
-        particles=STUDIES["radar"]["loss=0.5"].filters["rbpf"]["particles"],
-        code=code("repro.tables", "repro.textbook"),
-    script:
-        "../scripts/complexity.py"
 
 
 rule claims:
     input:
         runs=lambda wildcards: [
-            file for study in PAPERS[wildcards.paper].studies for file in run_files(study)
+            file for study in PAPERS[wildcards.paper].studies for file in REGISTRY.run_files(study)
         ],
         logs=lambda wildcards: [
-            file for study in PAPERS[wildcards.paper].studies for file in log_files(study)
+            file for study in PAPERS[wildcards.paper].studies for file in REGISTRY.log_files(study)
         ],
         measured=lambda wildcards: measured_files(wildcards.paper),
     output:
-        f"{RESULTS}/claims/{{paper}}.csv",
+        LAYOUT.claims(),
     log:
-        logfile("claims", "paper"),
+        LAYOUT.job_log("claims", "{paper}"),
     benchmark:
-        timing("claims", "paper")
+        LAYOUT.timing("claims", "{paper}")
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: RESULTS,
-        catalogue=lambda wildcards: catalogue(*PAPERS[wildcards.paper].studies),
-        shards=len(SHARDS),
+        results=lambda wildcards: results_of(PAPERS[wildcards.paper].studies),
         tolerance=RUN["tolerance"],
-        code=code("repro.claims.{paper}"),
+        code=code("repro.papers.{paper}.claims"),
     script:
         "../scripts/claims.py"
 
@@ -113,35 +53,35 @@ rule claims:
 rule diff:
     input:
         published=[f"params/published/{paper}.csv" for paper in PAPERS],
-        claims=[f"{RESULTS}/claims/{paper}.csv" for paper in PAPERS],
+        claims=[LAYOUT.claims(paper) for paper in PAPERS],
         tables=[file for paper in PAPERS for file in table_files(paper)],
     output:
         csv=report(
-            f"{RESULTS}/diff.csv",
+            LAYOUT.page("diff.csv"),
             category="Verdicts",
             labels={"table": "published against reproduced"},
             caption="../report/diff.rst",
         ),
-        markdown=f"{RESULTS}/diff.md",
-        report=f"{RESULTS}/diff.rst",
-        tally=f"{RESULTS}/tally.txt",
+        markdown=LAYOUT.page("diff.md"),
+        report=LAYOUT.page("diff.rst"),
+        tally=LAYOUT.page("tally.txt"),
     log:
-        f"{RESULTS}/job_logs/diff.log",
+        LAYOUT.job_log("diff"),
     benchmark:
-        f"{RESULTS}/timings/diff.tsv"
+        LAYOUT.timing("diff")
     conda:
         ENVIRONMENT
     params:
         papers={
             paper: {
                 "published": f"params/published/{paper}.csv",
-                "claims": f"{RESULTS}/claims/{paper}.csv",
+                "claims": LAYOUT.claims(paper),
                 "tables": table_files(paper),
             }
             for paper in PAPERS
         },
         tolerance=RUN["tolerance"],
-        code=code("repro.published"),
+        code=code("repro.pages.verdicts"),
     script:
         "../scripts/diff.py"
 
@@ -159,15 +99,13 @@ rule figure:
             caption="../report/figure.rst",
         ),
     log:
-        logfile("figure", "paper", "figure"),
+        LAYOUT.job_log("figure", "{paper}", "{figure}"),
     benchmark:
-        timing("figure", "paper", "figure")
+        LAYOUT.timing("figure", "{paper}", "{figure}")
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: RESULTS,
-        catalogue=lambda wildcards: catalogue(*studies_of(wildcards.paper)),
-        shards=len(SHARDS),
+        results=lambda wildcards: results_of(studies_of(wildcards.paper)),
         caption=lambda wildcards: constants(f"figures/{wildcards.paper}/{wildcards.figure}.py")[
             "CAPTION"
         ],
@@ -181,16 +119,16 @@ rule parameters:
         files=PARAMETER_FILES,
     output:
         report(
-            f"{RESULTS}/parameters.csv",
+            LAYOUT.page("parameters.csv"),
             category="Verdicts",
             labels={"table": "parameters, stated and assumed"},
             caption="../report/parameters.rst",
         ),
     log:
-        f"{RESULTS}/job_logs/parameters.log",
+        LAYOUT.job_log("parameters"),
     conda:
         ENVIRONMENT
     params:
-        code=code("repro.params", "repro.tables"),
+        code=code("repro.parameters.load", "repro.tables.study_tables"),
     script:
         "../scripts/parameters.py"

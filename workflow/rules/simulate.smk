@@ -1,17 +1,19 @@
 # Stop 2 of the data: ground truth and impaired measurements as logs.
 rule simulate:
     output:
-        log=LOG,
+        log=LAYOUT.log(),
     log:
-        logfile("simulate"),
+        LAYOUT.job_log("simulate", "{study}", "{point}", "{shard}"),
     benchmark:
-        timing("simulate")
+        LAYOUT.timing("simulate", "{study}", "{point}", "{shard}")
+    group:
+        "point"
     conda:
         ENVIRONMENT
     params:
         parameters=lambda wildcards: STUDIES[wildcards.study][wildcards.point].parameters,
         seed=RUN["root_seed"],
-        trials=lambda wildcards: trial_range(*wildcards),
+        trials=trial_range,
         code=code("repro.simulate"),
     script:
         "../scripts/simulate.py"

@@ -1,5 +1,5 @@
-from repro.archive import write_archive
-from repro.job import job
+from repro.provenance.archive import write_archive
+from repro.workflow.job import job
 
-manifest, made = snakemake.input.manifest, snakemake.output[0]
-job(snakemake.log[0], lambda: write_archive(manifest, "MIT", made))
+with job(snakemake.log[0]):
+    write_archive(snakemake.input.manifest, "MIT", snakemake.output[0])

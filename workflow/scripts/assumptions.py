@@ -1,8 +1,5 @@
-from repro.assumptions import write_assumptions
-from repro.job import job
+from repro.pages.assumptions import write_assumptions
+from repro.workflow.job import job
 
-said = snakemake.params
-job(
-    snakemake.log[0],
-    lambda: write_assumptions(said.papers, said.tolerance, snakemake.output[0]),
-)
+with job(snakemake.log[0]):
+    write_assumptions(snakemake.params.papers, snakemake.params.tolerance, snakemake.output[0])

@@ -1,10 +1,8 @@
-from repro.claims import decide
-from repro.job import job
-from repro.results import Results
+from repro.tables.results import Results
+from repro.verdicts.claims import decide
+from repro.workflow.job import job
 
-said = snakemake.params
-results = Results(said.results, said.catalogue, said.shards)
-job(
-    snakemake.log[0],
-    lambda: decide(results, snakemake.wildcards.paper, said.tolerance, snakemake.output[0]),
-)
+params = snakemake.params
+with job(snakemake.log[0]):
+    results = Results(**params.results)
+    decide(results, snakemake.wildcards.paper, params.tolerance, snakemake.output[0])

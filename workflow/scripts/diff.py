@@ -1,5 +1,7 @@
-from repro.job import job
-from repro.published import diff
+from repro.pages.verdicts import write_diff
+from repro.workflow.job import job
 
-said, made = snakemake.params, dict(snakemake.output.items())
-job(snakemake.log[0], lambda: diff(said.papers, said.tolerance, made.pop("csv"), made))
+with job(snakemake.log[0]):
+    write_diff(
+        snakemake.params.papers, snakemake.params.tolerance, **dict(snakemake.output.items())
+    )

@@ -1,7 +1,6 @@
-from repro.job import job
 from repro.plot.draw import draw
-from repro.results import Results
+from repro.tables.results import Results
+from repro.workflow.job import job
 
-said = snakemake.params
-results = Results(said.results, said.catalogue, said.shards)
-job(snakemake.log[0], lambda: draw(snakemake.input.script, results, snakemake.output[0]))
+with job(snakemake.log[0]):
+    draw(snakemake.input.script, Results(**snakemake.params.results), snakemake.output[0])

@@ -1,5 +1,5 @@
-from repro.gallery import write_gallery
-from repro.job import job
+from repro.pages.gallery import write_gallery
+from repro.workflow.job import job
 
-files, made = list(snakemake.input.scripts), snakemake.output[0]
-job(snakemake.log[0], lambda: write_gallery(files, snakemake.params.titles, made))
+with job(snakemake.log[0]):
+    write_gallery(list(snakemake.input.scripts), snakemake.params.titles, snakemake.output[0])

@@ -1,9 +1,7 @@
-from repro.job import job
-from repro.manifest import write_manifest
+from repro.provenance.manifest import write_manifest
+from repro.workflow.job import job
 
-made, said = snakemake.input, snakemake.params
-results = [*made.tables, *made.logs, *made.figures]
-job(
-    snakemake.log[0],
-    lambda: write_manifest(snakemake.output[0], said.commit, said.seed, made.parameters, results),
-)
+files, params = snakemake.input, snakemake.params
+with job(snakemake.log[0]):
+    results = [*files.tables, *files.logs, *files.figures]
+    write_manifest(snakemake.output[0], params.commit, params.seed, files.parameters, results)

@@ -1,6 +1,6 @@
-from repro.job import job
-from repro.params import sources
-from repro.tables import write_csv
+from repro.parameters.load import sources
+from repro.tables.csv_file import write_csv
+from repro.workflow.job import job
 
-files, made = snakemake.input.files, snakemake.output[0]
-job(snakemake.log[0], lambda: write_csv([row for file in files for row in sources(file)], made))
+with job(snakemake.log[0]):
+    write_csv([row for file in snakemake.input.files for row in sources(file)], snakemake.output[0])

@@ -1,9 +1,14 @@
-from repro.job import job
 from repro.run import run_filter
+from repro.workflow.job import job
 
-at, said, written = snakemake.wildcards, snakemake.params, snakemake.output
-where = written[0], written.get("flight")
-job(
-    snakemake.log[0],
-    lambda: run_filter(snakemake.input.log, at.study, at.point, said.name, said.settings, *where),
-)
+at, output = snakemake.wildcards, snakemake.output
+with job(snakemake.log[0]):
+    run_filter(
+        snakemake.input.log,
+        at.study,
+        at.point,
+        at.filter,
+        snakemake.params.settings,
+        output[0],
+        output.get("flight"),
+    )

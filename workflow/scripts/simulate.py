@@ -1,10 +1,8 @@
-from repro.job import job
 from repro.simulate import simulate
+from repro.workflow.job import job
 
-at, said = snakemake.wildcards, snakemake.params
-job(
-    snakemake.log[0],
-    lambda: simulate(
-        at.study, at.point, said.parameters, said.seed, said.trials, snakemake.output.log
-    ),
-)
+at, params = snakemake.wildcards, snakemake.params
+with job(snakemake.log[0]):
+    simulate(
+        at.study, at.point, params.parameters, params.seed, params.trials, snakemake.output.log
+    )

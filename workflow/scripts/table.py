@@ -1,10 +1,8 @@
-from repro.job import job
-from repro.results import Results
-from repro.tables import tabulate
+from repro.tables.results import Results
+from repro.tables.study_tables import tabulate
+from repro.workflow.job import job
 
-said, made = snakemake.params, snakemake.output
-results = Results(said.results, said.catalogue, said.shards)
-job(
-    snakemake.log[0],
-    lambda: tabulate(results, snakemake.wildcards.study, made.table, made.curves),
-)
+files = snakemake.output
+with job(snakemake.log[0]):
+    results = Results(**snakemake.params.results)
+    tabulate(results, snakemake.wildcards.study, files.table, files.curves)

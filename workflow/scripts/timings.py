@@ -1,4 +1,5 @@
-from repro.job import job
-from repro.timings import timings
+from repro.workflow.job import job
+from repro.workflow.timings import timings
 
-job(snakemake.log[0], lambda: print(timings(snakemake.params.results).round(2).to_string()))
+with job(snakemake.log[0]):
+    print(timings(snakemake.params.results).round(2).to_string())

@@ -1,9 +1,8 @@
-from repro.job import job
-from repro.manifest import check_manifest
-from repro.published import verify
+from repro.provenance.manifest import check_manifest
+from repro.verdicts.published import verify
+from repro.workflow.job import job
 
-job(
-    snakemake.log[0],
-    lambda: (check_manifest(snakemake.input.manifest), verify(snakemake.input.diff)),
-)
+with job(snakemake.log[0]):
+    check_manifest(snakemake.input.manifest)
+    verify(snakemake.input.diff)
 print("every result is as in the manifest, and every verdict as expected")

@@ -1,10 +1,8 @@
-from repro.job import job
-from repro.results import Results
-from repro.view import write_view
+from repro.inspect.view import write_view
+from repro.tables.results import Results
+from repro.workflow.job import job
 
-at, said, made = snakemake.wildcards, snakemake.params, snakemake.output
-results = Results(said.results, said.catalogue, said.shards)
-job(
-    snakemake.log[0],
-    lambda: write_view(results, at.study, at.point, int(at.trial), made.view, made.layout),
-)
+at, files = snakemake.wildcards, snakemake.output
+with job(snakemake.log[0]):
+    results = Results(**snakemake.params.results)
+    write_view(results, at.study, at.point, int(at.trial), files.view, files.layout)

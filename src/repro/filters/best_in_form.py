@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from repro.filters import Filter, _second_moments
+from repro.filters import Filter
+from repro.filters.families import second_moments
 from repro.models import LinearModel
 
 LABEL = "best of form (6)"
@@ -23,7 +24,7 @@ class State(NamedTuple):
 def regression(model: LinearModel, moment: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """F (n, n) and K (n,) that minimise the error of x(k+1), from the moment of [X(k+1), xh(k)]."""
     n = len(model.initial_mean)
-    cross, power = _second_moments.with_measurement(model, moment)
+    cross, power = second_moments.with_measurement(model, moment)
     size = len(moment) - n
     regressors = np.empty((n + 1, n + 1))
     regressors[:n, :n] = moment[size:, size:]
@@ -41,18 +42,18 @@ def build(model: LinearModel, settings: dict) -> Filter:
     def init(streams):
         return State(
             np.tile(model.initial_mean, (len(streams), 1)),
-            _second_moments.initial(model, model.initial_second_moment),
+            second_moments.initial(model, model.initial_second_moment),
         )
 
     def step(state, k, seen):
-        moment = _second_moments.predict(model, state.moment, k - 1)
+        moment = second_moments.predict(model, state.moment, k - 1)
         transfer, gain = regression(model, moment)
         estimate = np.matvec(transfer, state.estimate) + gain * seen.received[:, None]
-        return State(estimate, _second_moments.update(model, moment, transfer, gain))
+        return State(estimate, second_moments.update(model, moment, transfer, gain))
 
     return Filter(
         init,
         step,
         mean=lambda state: state.estimate,
-        variance=lambda state: np.diagonal(_second_moments.mean_square_error(state.moment, n)),
+        variance=lambda state: np.diagonal(second_moments.mean_square_error(state.moment, n)),
     )

@@ -1,6 +1,7 @@
 """BKF-I: a Kalman filter on MAP estimates of the losses (Zhang, You, Xie 2018, Algorithm 1)."""
 
-from repro.filters import Filter, _extended_kalman
+from repro.filters import Filter
+from repro.filters.families import extended_kalman
 from repro.models import Model
 from repro.network.losses import log_odds
 
@@ -16,4 +17,4 @@ def build(model: Model, settings: dict) -> Filter:
         estimated = (odds > 0).astype(float)  # (8)
         return estimated, estimated
 
-    return _extended_kalman.build(model, weigh)
+    return extended_kalman.build(model, weigh)

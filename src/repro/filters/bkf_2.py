@@ -6,7 +6,8 @@ is driven to one of its ends for good. The default prior is that of the loss pro
 
 import numpy as np
 
-from repro.filters import Filter, _extended_kalman
+from repro.filters import Filter
+from repro.filters.families import extended_kalman
 from repro.models import Model
 from repro.network.losses import log_odds
 
@@ -26,4 +27,4 @@ def build(model: Model, settings: dict) -> Filter:
             arrived = 1 / (1 + np.exp(-odds))  # lambda(k) of (11)
         return arrived, odds if literal else arrived
 
-    return _extended_kalman.build(model, weigh, spread=True)  # (12), (13)
+    return extended_kalman.build(model, weigh, spread=True)  # (12), (13)

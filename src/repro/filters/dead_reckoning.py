@@ -1,6 +1,7 @@
 """Dead reckoning: the particles of the MAPF without any measurement; not in the paper."""
 
-from repro.filters import Filter, _protocol_particles
+from repro.filters import Filter
+from repro.filters.families import protocol_particles
 from repro.models.coupled_targets import CoupledTargets
 
 LABEL = "dead reckoning"
@@ -8,4 +9,4 @@ SEES = ()
 
 
 def build(model: CoupledTargets, settings: dict) -> Filter:
-    return _protocol_particles.dead_reckoning(model, settings)
+    return protocol_particles.dead_reckoning(model, settings)

@@ -1,6 +1,7 @@
 """Extended Kalman filter that takes every received value for the measurement of its step."""
 
-from repro.filters import Filter, _extended_kalman
+from repro.filters import Filter
+from repro.filters.families import extended_kalman
 from repro.models import Model
 
 LABEL = "EKF"
@@ -8,4 +9,4 @@ SEES = ("received",)
 
 
 def build(model: Model, settings: dict) -> Filter:
-    return _extended_kalman.build(model, lambda seen, evidence, last: (1.0, None))
+    return extended_kalman.build(model, lambda seen, evidence, last: (1.0, None))

@@ -1,6 +1,7 @@
 """Extended Kalman filter on measurements without losses: the bound that the paper compares with."""
 
-from repro.filters import Filter, _extended_kalman
+from repro.filters import Filter
+from repro.filters.families import extended_kalman
 from repro.models import Model
 
 LABEL = "EKF, no losses"
@@ -8,6 +9,6 @@ SEES = ("without_loss",)
 
 
 def build(model: Model, settings: dict) -> Filter:
-    return _extended_kalman.build(
+    return extended_kalman.build(
         model, lambda seen, evidence, last: (1.0, None), channel="without_loss"
     )

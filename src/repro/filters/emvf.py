@@ -4,7 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from repro.filters import Filter, _minimum_variance
+from repro.filters import Filter
+from repro.filters.families import minimum_variance
 from repro.models import Model
 from repro.models.sparse import dense
 from repro.network.packet_delays import mean_weights
@@ -78,7 +79,7 @@ def build_with(model: Model, settings: dict, realised_delay) -> Filter:
         ]
         ranges = np.stack([model.measurement(x, sensor)[:, 0] for x, sensor in terms])
         expected = (innovation_weights(seen, ranges) * ranges).sum(axis=0)
-        update = _minimum_variance.gain(
+        update = minimum_variance.gain(
             rows,
             jacobian,
             state.inverses,
@@ -93,10 +94,10 @@ def build_with(model: Model, settings: dict, realised_delay) -> Filter:
         correction = update.gain * (seen.received - expected)[:, None]
         usable = update.gain.any(axis=-1) & np.isfinite(correction).all(axis=-1)
         estimate = predicted + np.where(usable[:, None], correction, 0.0)  # (22)
-        covariance = _minimum_variance.covariance_update(
+        covariance = minimum_variance.covariance_update(
             update, rows[0], jacobian, weights[0], state.covariance, q
         )  # (25)
-        moment = _minimum_variance.second_moment_update(jacobian, state.second_moment, q)  # (27)
+        moment = minimum_variance.second_moment_update(jacobian, state.second_moment, q)  # (27)
         inverses = (np.linalg.inv(jacobian), *state.inverses)[: max(bound - 1, 0)]
         return State(
             estimate, covariance, moment, predictions[:bound], inverses, state.degenerate + ~usable

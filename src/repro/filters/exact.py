@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from repro.filters import Filter, _kalman
-from repro.filters._resampling import normalised
+from repro.filters import Filter
+from repro.filters.families import kalman
+from repro.kernels.resampling import normalised
 from repro.models import Model
 
 LABEL = "exact"
@@ -26,27 +27,27 @@ class State(NamedTuple):
 
 def build(model: Model, settings: dict) -> Filter:
     n, m, chain = len(model.initial_mean), len(model.measurement_covariance), model.network
-    of_noise = _kalman.noise_log_likelihood(model)
+    of_noise = kalman.noise_log_likelihood(model)
 
     def init(streams):
         trials = len(streams)
-        return State(*_kalman.start(model, trials), None, np.zeros((trials, 1)))
+        return State(*kalman.start(model, trials), None, np.zeros((trials, 1)))
 
     def step(state, k, seen):
         estimate, covariance, last, log_weights = state
         trials, sequences = log_weights.shape
         if k > 0:
-            estimate, covariance = _kalman.predict(model, estimate, covariance, k - 1)
+            estimate, covariance = kalman.predict(model, estimate, covariance, k - 1)
         received = seen.received.reshape(-1, m)
-        innovation = _kalman.innovate(
+        innovation = kalman.innovate(
             model, estimate, covariance, received.repeat(sequences, axis=0), seen.sensor
         )
-        likelihood = _kalman.log_likelihood(innovation).reshape(trials, sequences)
+        likelihood = kalman.log_likelihood(innovation).reshape(trials, sequences)
         arrival = np.asarray(chain.arrival(last))
         with np.errstate(divide="ignore"):  # an impossible sequence has the log weight -inf
             arrived = log_weights + np.log(arrival) + likelihood
             lost = log_weights + np.log1p(-arrival) + of_noise(received)[:, None]
-        updated = _kalman.correct(estimate.copy(), covariance.copy(), innovation, 1.0)
+        updated = kalman.correct(estimate.copy(), covariance.copy(), innovation, 1.0)
 
         def both(without, with_):
             parts = [part.reshape(-1, trials, sequences) for part in (without, with_)]
@@ -67,7 +68,7 @@ def build(model: Model, settings: dict) -> Filter:
         weights, _ = normalised(state.log_weights)
         estimates = state.estimate.reshape(n, *weights.shape)
         spread = (estimates - np.vecdot(estimates, weights)[..., None]) ** 2
-        of_state = _kalman.diagonal(state.covariance, n).reshape(n, *weights.shape)
+        of_state = kalman.diagonal(state.covariance, n).reshape(n, *weights.shape)
         return np.vecdot(of_state + spread, weights).T
 
     return Filter(init, step, mean, variance=variance, particles=SEQUENCES)

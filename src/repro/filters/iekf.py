@@ -1,6 +1,7 @@
 """Extended Kalman filter that knows which packets are on time and updates on those alone."""
 
-from repro.filters import Filter, _extended_kalman
+from repro.filters import Filter
+from repro.filters.families import extended_kalman
 from repro.models import Model
 
 LABEL = "EKF, arrivals known"
@@ -8,4 +9,4 @@ SEES = ("received", "arrival")
 
 
 def build(model: Model, settings: dict) -> Filter:
-    return _extended_kalman.build(model, lambda seen, evidence, last: (seen.arrival, None))
+    return extended_kalman.build(model, lambda seen, evidence, last: (seen.arrival, None))

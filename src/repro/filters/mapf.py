@@ -1,6 +1,7 @@
 """Modified auxiliary particle filter (Song et al., Algorithm 1)."""
 
-from repro.filters import Filter, _protocol_particles
+from repro.filters import Filter
+from repro.filters.families import protocol_particles
 from repro.models.coupled_targets import CoupledTargets
 
 LABEL = "MAPF"
@@ -8,4 +9,4 @@ SEES = ("received", "code", "group_probability")
 
 
 def build(model: CoupledTargets, settings: dict) -> Filter:
-    return _protocol_particles.auxiliary(model, settings)
+    return protocol_particles.auxiliary(model, settings)

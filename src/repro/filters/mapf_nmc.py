@@ -1,6 +1,7 @@
 """MAPF that takes censored values at face value."""
 
-from repro.filters import Filter, _protocol_particles
+from repro.filters import Filter
+from repro.filters.families import protocol_particles
 from repro.models.coupled_targets import CoupledTargets
 
 LABEL = "MAPF-NMC"
@@ -8,4 +9,4 @@ SEES = ("received", "group_probability")
 
 
 def build(model: CoupledTargets, settings: dict) -> Filter:
-    return _protocol_particles.auxiliary(model, settings, compensated=False)
+    return protocol_particles.auxiliary(model, settings, compensated=False)

@@ -1,6 +1,7 @@
 """Modified particle filter: draws and likelihood of the MAPF, sequential importance resampling."""
 
-from repro.filters import Filter, _protocol_particles
+from repro.filters import Filter
+from repro.filters.families import protocol_particles
 from repro.models.coupled_targets import CoupledTargets
 
 LABEL = "MPF"
@@ -8,4 +9,4 @@ SEES = ("received", "code", "group_probability")
 
 
 def build(model: CoupledTargets, settings: dict) -> Filter:
-    return _protocol_particles.bootstrap(model, settings)
+    return protocol_particles.bootstrap(model, settings)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from repro.filters import Filter
-from repro.filters._minimum_variance import quadratic, second_moment_update
+from repro.filters.families.minimum_variance import quadratic, second_moment_update
 from repro.models import LinearModel
 
 LABEL = "[2] Nahi"

@@ -4,7 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from repro.filters import Filter, _minimum_variance
+from repro.filters import Filter
+from repro.filters.families import minimum_variance
 from repro.models import LinearModel
 from repro.network.packet_delays import mean_weights
 
@@ -35,7 +36,7 @@ def build(model: LinearModel, settings: dict) -> Filter:
         a = model.transition_matrix(k - 1)
         terms = min(bound, k) + 1  # z(j) = 0 for j < 0: its terms are left out
         inverses = [np.linalg.inv(model.transition_matrix(k - j)) for j in range(2, terms)]
-        update = _minimum_variance.gain(
+        update = minimum_variance.gain(
             [c] * terms,
             a,
             inverses,
@@ -48,10 +49,10 @@ def build(model: LinearModel, settings: dict) -> Filter:
         )
         reduced = a - np.outer(update.gain, update.row)  # (13)
         estimate = np.matvec(reduced, state.estimate) + update.gain * seen.received[:, None]  # (6)
-        covariance = _minimum_variance.covariance_update(
+        covariance = minimum_variance.covariance_update(
             update, c, a, weights[0], state.covariance, q
         )
-        moment = _minimum_variance.second_moment_update(a, state.second_moment, q)
+        moment = minimum_variance.second_moment_update(a, state.second_moment, q)
         return State(estimate, covariance, moment)
 
     return Filter(

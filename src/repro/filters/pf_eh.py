@@ -1,12 +1,13 @@
 """PF-EH: allows for empty batteries only, gbar = 0 (Song et al., Remark 5)."""
 
-from repro.filters import Filter, _ross_eh
+from repro.filters import Filter
+from repro.filters.families import ross_eh
 from repro.models.sensor_network import SensorNetwork
 
 LABEL = "PF-EH"
 SEES = ("received",)
-STREAM = _ross_eh.STREAM
+STREAM = ross_eh.STREAM
 
 
 def build(model: SensorNetwork, settings: dict) -> Filter:
-    return _ross_eh.build(model, settings, saturates=False, transmission="lemma1")
+    return ross_eh.build(model, settings, saturates=False, transmission="lemma1")

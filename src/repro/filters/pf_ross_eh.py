@@ -1,12 +1,13 @@
 """PF-ROSS-EH: allows for saturations and for empty batteries, by Lemma 1 (Song et al.)."""
 
-from repro.filters import Filter, _ross_eh
+from repro.filters import Filter
+from repro.filters.families import ross_eh
 from repro.models.sensor_network import SensorNetwork
 
 LABEL = "PF-ROSS-EH"
 SEES = ("received",)
-STREAM = _ross_eh.STREAM
+STREAM = ross_eh.STREAM
 
 
 def build(model: SensorNetwork, settings: dict) -> Filter:
-    return _ross_eh.build(model, settings, saturates=True, transmission="lemma1")
+    return ross_eh.build(model, settings, saturates=True, transmission="lemma1")

@@ -1,12 +1,13 @@
 """PF-ROSS-EH with the exact transmission probability: the chain of (E, H), not Lemma 1."""
 
-from repro.filters import Filter, _ross_eh
+from repro.filters import Filter
+from repro.filters.families import ross_eh
 from repro.models.sensor_network import SensorNetwork
 
 LABEL = "PF-ROSS-EH, exact λ"
 SEES = ("received",)
-STREAM = _ross_eh.STREAM
+STREAM = ross_eh.STREAM
 
 
 def build(model: SensorNetwork, settings: dict) -> Filter:
-    return _ross_eh.build(model, settings, saturates=True, transmission="exact")
+    return ross_eh.build(model, settings, saturates=True, transmission="exact")

@@ -8,17 +8,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from repro.filters import Filter, _particles, _ross_eh
+from repro.filters import Filter
+from repro.filters.families import particle_filter, ross_eh
 from repro.models.sensor_network import SensorNetwork
 from repro.network.energy_harvesting import initial_joint, joint_chain, joint_transition
 
 LABEL = "PF-ROSS-EH, joint"
 SEES = ("received",)
-STREAM = _ross_eh.STREAM
+STREAM = ross_eh.STREAM
 
 
 class State(NamedTuple):
-    cloud: _particles.Cloud
+    cloud: particle_filter.Cloud
     belief: np.ndarray  # law of (E, H) by sensor and particle, (trials, sensors, pairs, particles)
 
 
@@ -33,12 +34,12 @@ def build(model: SensorNetwork, settings: dict) -> Filter:
         particles = model.draw_prior(streams, settings["particles"])
         shape = (len(streams), model.sensors, len(start), settings["particles"])
         belief = np.broadcast_to(start[:, None], shape)
-        return State(_particles.equally_weighted(particles, streams), belief)
+        return State(particle_filter.equally_weighted(particles, streams), belief)
 
     def step(state, k, seen):
         cloud, z = state.cloud, seen.received
-        chosen = _particles.parents(cloud.weights, cloud.streams, settings["resampling"])
-        particles = model.move(_particles.taken(cloud.particles, chosen), k, cloud.streams)
+        chosen = particle_filter.parents(cloud.weights, cloud.streams, settings["resampling"])
+        particles = model.move(particle_filter.taken(cloud.particles, chosen), k, cloud.streams)
         belief = np.take_along_axis(state.belief, chosen[:, None, None, :], axis=-1)
         belief = chain.T @ belief
         total = np.zeros(chosen.shape)
@@ -57,7 +58,7 @@ def build(model: SensorNetwork, settings: dict) -> Filter:
                 total += np.log(given) + largest
             updated /= np.where(explained, given, 1.0)[:, None]
             belief[:, i] = np.where(explained[:, None], updated, belief[:, i])
-        return State(_particles.weighted(particles, total, cloud), belief)
+        return State(particle_filter.weighted(particles, total, cloud), belief)
 
     return Filter(
         init,

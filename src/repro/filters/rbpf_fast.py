@@ -1,6 +1,7 @@
 """Fast RBPF: one Kalman update for each distinct particle (Zhang, You, Xie 2018, Algorithm 4)."""
 
-from repro.filters import Filter, _rao_blackwell
+from repro.filters import Filter
+from repro.filters.families import rao_blackwell
 from repro.models import Model
 
 LABEL = "Fast RBPF"
@@ -9,4 +10,4 @@ STREAM = "rbpf"  # the same random numbers as Algorithm 3
 
 
 def build(model: Model, settings: dict) -> Filter:
-    return _rao_blackwell.build(model, settings, distinct=True)
+    return rao_blackwell.build(model, settings, distinct=True)

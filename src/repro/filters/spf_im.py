@@ -1,12 +1,13 @@
 """SPF-IM: the standard particle filter on measurements free of both impairments (Song et al.)."""
 
-from repro.filters import Filter, _ross_eh
+from repro.filters import Filter
+from repro.filters.families import ross_eh
 from repro.models.sensor_network import SensorNetwork
 
 LABEL = "SPF-IM"
 SEES = ("ideal",)
-STREAM = _ross_eh.STREAM
+STREAM = ross_eh.STREAM
 
 
 def build(model: SensorNetwork, settings: dict) -> Filter:
-    return _ross_eh.build(model, settings, saturates=False, transmission=None, channel="ideal")
+    return ross_eh.build(model, settings, saturates=False, transmission=None, channel="ideal")

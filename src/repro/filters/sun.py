@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from repro.filters import Filter
-from repro.filters._delay_augmentation import augment, initial_mean, initial_moment
+from repro.filters.families.delay_augmentation import augment, initial_mean, initial_moment
 from repro.models import LinearModel
 from repro.network.packet_delays import mean_weights
 

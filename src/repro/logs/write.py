@@ -7,6 +7,7 @@ import numpy as np
 from mcap.opcode import Opcode
 
 from repro import __version__
+from repro.atomic import atomic_write
 from repro.logs.container import Container
 from repro.logs.format import (
     CDR_LITTLE_ENDIAN,
@@ -21,7 +22,6 @@ from repro.logs.format import (
     schema_name,
     schema_text,
 )
-from repro.whole import whole
 
 TRIALS_A_BLOCK = 50  # topics alternate in blocks of trials, so that a player finds them together
 
@@ -33,7 +33,7 @@ def write_log(
 
     `attachments` are JSON texts by name, beside the parameters.
     """
-    with whole(path) as part, part.open("wb") as stream:
+    with atomic_write(path) as part, part.open("wb") as stream:
         container = Container(stream, PROFILE, f"repro {__version__}")
         container.add_metadata(
             PROVENANCE,

@@ -4,7 +4,7 @@ import importlib.util
 from pathlib import Path
 
 from repro.plot import style
-from repro.results import Results
+from repro.tables.results import Results
 
 
 def draw(script: str | Path, results: Results, path: str | Path) -> None:

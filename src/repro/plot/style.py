@@ -9,9 +9,9 @@ matplotlib.use("Agg")
 from matplotlib import pyplot, ticker
 from matplotlib.figure import Figure
 
-from repro.results import Catalogue
+from repro.atomic import atomic_write
 from repro.run import filter_module
-from repro.whole import whole
+from repro.tables.results import Catalogue
 
 # Okabe and Ito's palette: told apart with any kind of colour vision.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999933")
@@ -74,6 +74,6 @@ def plain_log(axes, which: str = "y") -> None:
 
 def save(drawn: Figure, path: str | Path) -> None:
     """Write a PNG whose bytes depend on the drawing alone."""
-    with whole(path) as part:
+    with atomic_write(path) as part:
         drawn.savefig(part, metadata={"Software": None})
     pyplot.close(drawn)

@@ -3,7 +3,7 @@
 from matplotlib.axes import Axes
 
 from repro.plot import style
-from repro.results import Results
+from repro.tables.results import Results
 
 BAND = 2  # standard errors either side
 

@@ -4,8 +4,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from repro.plot import style
-from repro.results import Results
-from repro.verdict_pages import VERDICTS
+from repro.tables.results import Results
+from repro.verdicts.published import VERDICTS
 
 COLOURS = {
     "match": "#009E73",

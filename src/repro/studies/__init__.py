@@ -20,21 +20,8 @@ and if it likes
 
 from importlib import import_module
 from types import ModuleType
-from typing import NamedTuple
-
-import numpy as np
 
 from repro.errors import ReproError
-
-
-class Runs(NamedTuple):
-    """What a filter's jobs leave of one (study, point), all trials in order."""
-
-    error: np.ndarray  # (trials, steps, n)
-    claimed: np.ndarray | None  # claimed error variances, ([trials,] steps, n)
-    degenerate: np.ndarray  # guarded updates, (trials,)
-    recorded: dict[str, np.ndarray]  # what the closed loop decided
-    flown: dict[str, np.ndarray] | None = None  # topics of a closed loop's log; not in the file
 
 
 def open_loop_module(name: str) -> ModuleType:

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from repro import metrics
-from repro.channels import Recorded
 from repro.models import DelayNetwork, LinearModel, linear_plant
 from repro.network import packet_delays
+from repro.network.channels import Recorded
+from repro.statistics import metrics
 
 COMPONENTS = ("x1", "x2")
 

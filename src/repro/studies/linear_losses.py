@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from repro import metrics
-from repro.channels import Recorded
 from repro.models import Model, linear_system
 from repro.models.sparse import rows as sparse_rows
 from repro.network import losses
+from repro.network.channels import Recorded
+from repro.statistics import metrics
 
 COMPONENTS = ("x1", "x2")
 TRIALS_A_BLOCK = 10000  # systems, trials times particles: few calls, and their rows stay cached

@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from repro import metrics
 from repro.control import cascaded_pid, path
 from repro.control.flight import Flight, System
 from repro.logs import Log
 from repro.models import Model, quadrotor
 from repro.models.quadrotor import ANGLES, POSITION, STATE, VELOCITY
 from repro.network import losses
+from repro.statistics import metrics
 
 TRIALS_A_BLOCK = 1200  # systems, flights times particles
 INFERRED_ARRIVALS = True

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from repro import metrics
-from repro.channels import Recorded
 from repro.models import Model, linear_system
 from repro.models import radar as system
 from repro.models.sparse import rows as sparse_rows
 from repro.network import losses
+from repro.network.channels import Recorded
+from repro.statistics import metrics
 
 TRIALS_A_BLOCK = 8000  # systems, trials times particles: few calls, and their rows stay cached
 CLAIMED_VARIANCE = False  # none of the tables has it

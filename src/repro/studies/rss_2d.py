@@ -3,19 +3,19 @@
 import numpy as np
 
 from repro.models.sensor_network import SensorNetwork
-from repro.studies import _energy_harvesting, _signal_strength
-from repro.studies._energy_harvesting import TRIALS_A_BLOCK, channels, error
-from repro.studies._signal_strength import lost, simulate
+from repro.studies.families import harvesting_sensors, signal_strength
+from repro.studies.families.harvesting_sensors import TRIALS_A_BLOCK, channels, error
+from repro.studies.families.signal_strength import lost, simulate
 
 __all__ = ["TRIALS_A_BLOCK", "channels", "error", "lost", "simulate"]
 
-STATE = _signal_strength.state(2)
+STATE = signal_strength.state(2)
 TRAJECTORY = (("s_x", "s_y"),)
-COMPONENTS = _signal_strength.components(2)
+COMPONENTS = signal_strength.components(2)
 
 
 def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
-    return _energy_harvesting.topics(STATE, parameters["sensors"])
+    return harvesting_sensors.topics(STATE, parameters["sensors"])
 
 
 def period(parameters: dict) -> float:
@@ -37,12 +37,12 @@ def model(parameters: dict) -> SensorNetwork:
         drawn[:, 3] = speeds * np.sin(azimuths)
         return drawn
 
-    return _signal_strength.model(parameters, draw_prior)
+    return signal_strength.model(parameters, draw_prior)
 
 
 def rows(shards):
-    return _energy_harvesting.rmse_rows(shards, COMPONENTS, lost)
+    return harvesting_sensors.rmse_rows(shards, COMPONENTS, lost)
 
 
 def curves(shards):
-    return _energy_harvesting.rmse_curves(shards, COMPONENTS)
+    return harvesting_sensors.rmse_curves(shards, COMPONENTS)

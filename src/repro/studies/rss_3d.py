@@ -3,20 +3,20 @@
 import numpy as np
 
 from repro.models.sensor_network import SensorNetwork
-from repro.studies import _energy_harvesting, _signal_strength
-from repro.studies._energy_harvesting import channels, error
-from repro.studies._signal_strength import lost, simulate
+from repro.studies.families import harvesting_sensors, signal_strength
+from repro.studies.families.harvesting_sensors import channels, error
+from repro.studies.families.signal_strength import lost, simulate
 
 __all__ = ["channels", "error", "lost", "simulate"]
 
-STATE = _signal_strength.state(3)
+STATE = signal_strength.state(3)
 TRAJECTORY = (("s_x", "s_y"),)
-COMPONENTS = _signal_strength.components(3)
+COMPONENTS = signal_strength.components(3)
 TRIALS_A_BLOCK = 20
 
 
 def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
-    return _energy_harvesting.topics(STATE, parameters["sensors"])
+    return harvesting_sensors.topics(STATE, parameters["sensors"])
 
 
 def period(parameters: dict) -> float:
@@ -33,12 +33,12 @@ def model(parameters: dict) -> SensorNetwork:
         drawn += mean
         return drawn
 
-    return _signal_strength.model(parameters, draw_prior)
+    return signal_strength.model(parameters, draw_prior)
 
 
 def rows(shards):
-    return _energy_harvesting.rmse_rows(shards, COMPONENTS, lost)
+    return harvesting_sensors.rmse_rows(shards, COMPONENTS, lost)
 
 
 def curves(shards):
-    return _energy_harvesting.rmse_curves(shards, COMPONENTS)
+    return harvesting_sensors.rmse_curves(shards, COMPONENTS)

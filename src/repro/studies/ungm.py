@@ -4,8 +4,8 @@ import numpy as np
 
 from repro.models import ungm
 from repro.models.sensor_network import ExponentialNoise, SensorNetwork
-from repro.studies import _energy_harvesting
-from repro.studies._energy_harvesting import channels, error
+from repro.studies.families import harvesting_sensors
+from repro.studies.families.harvesting_sensors import channels, error
 
 __all__ = ["channels", "error"]
 
@@ -14,7 +14,7 @@ TRIALS_A_BLOCK = 200
 
 
 def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
-    return _energy_harvesting.topics(("x",), len(parameters["sensor_offsets"]))
+    return harvesting_sensors.topics(("x",), len(parameters["sensor_offsets"]))
 
 
 def period(parameters: dict) -> float:
@@ -33,7 +33,7 @@ def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
     for k in range(steps):
         truth[:, k + 1] = ungm.transition(truth[:, k], k) + w[:, k]  # (1)
     levels = np.stack([ungm.level(truth, offset) for offset in offsets], axis=1)
-    return _energy_harvesting.measured(
+    return harvesting_sensors.measured(
         truth[:, :, None], levels, parameters, noise(parameters), streams
     )
 
@@ -58,8 +58,8 @@ def model(parameters: dict) -> SensorNetwork:
         move=move,
         level=lambda x, i: ungm.level(x[:, 0], offsets[i]),
         noise=noise(parameters),
-        saturation=_energy_harvesting.saturation_of(parameters),
-        energy=_energy_harvesting.queue(parameters),
+        saturation=harvesting_sensors.saturation_of(parameters),
+        energy=harvesting_sensors.queue(parameters),
     )
 
 
@@ -68,8 +68,8 @@ def lost(runs):
 
 
 def rows(shards):
-    return _energy_harvesting.rmse_rows(shards, COMPONENTS, None)
+    return harvesting_sensors.rmse_rows(shards, COMPONENTS, None)
 
 
 def curves(shards):
-    return _energy_harvesting.rmse_curves(shards, COMPONENTS)
+    return harvesting_sensors.rmse_curves(shards, COMPONENTS)

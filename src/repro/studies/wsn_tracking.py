@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from repro import metrics
 from repro.models import DelayNetwork, Model, coordinated_turn
 from repro.network import packet_delays
 from repro.network.tasking import ScheduledRanges
+from repro.statistics import metrics
 
 STATE = ("px", "py", "vx", "vy", "omega")
 TRAJECTORY = (("px", "py"),)

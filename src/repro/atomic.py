@@ -1,0 +1,41 @@
+"""Results that stand in their place complete, or not at all."""
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from repro.errors import ReproError
+
+
+def check_writable(folder: str | Path) -> None:
+    """Raise ReproError unless results can be written into the folder, which need not exist yet."""
+    there = Path(folder).absolute()
+    while not there.exists():
+        there = there.parent
+    if not (there.is_dir() and os.access(there, os.W_OK | os.X_OK)):
+        raise ReproError(
+            f"{there}: not a folder that can be written, as {folder} asks for; "
+            "mend it, or write elsewhere with --config into=FOLDER"
+        )
+
+
+@contextmanager
+def atomic_write(path: str | Path) -> Iterator[Path]:
+    """A path to write a result to, which takes its name at the end of the block.
+
+    Each process has a part of its own: a job that outlives a killed run, or the node that a cluster
+    takes for lost, cannot spoil its successor.
+    An OSError in writing names the result.
+    """
+    path = Path(path)
+    part = path.with_name(f".{os.uname().nodename}.{os.getpid()}.{path.name}")
+    try:
+        yield part
+        part.replace(path)
+    except OSError as error:
+        if error.filename is None or str(error.filename) == str(part):
+            raise OSError(error.errno, error.strerror, str(path)) from None
+        raise
+    finally:
+        part.unlink(missing_ok=True)

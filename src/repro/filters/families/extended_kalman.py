@@ -1,0 +1,58 @@
+"""Extended Kalman filter that weighs each measurement by what it knows or infers of its loss."""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from repro.filters import Filter
+from repro.filters.families import kalman
+from repro.models import Model
+
+
+class State(NamedTuple):
+    estimate: np.ndarray  # xh(k|k), (n, trials)
+    covariance: np.ndarray  # Sigma(k|k), packed, (n (n + 1) / 2, trials)
+    last: Any  # what the filter keeps of gamma(k), (trials,); None before the first packet
+    weight: Any = 0.0  # of y(k) in the update, (trials,) or one for all
+
+
+def build(model: Model, weigh: Callable, spread: bool = False, channel: str = "received") -> Filter:
+    """`channel` is the one that the measurements come from.
+
+    `weigh(seen, evidence, last)` gives the weight of y(k) in the update, and the next `last`.
+
+    1 takes y(k) for a measurement and 0 leaves it. evidence() is log N(e; 0, S) - log N(y; 0, R).
+    With `spread` the weight is a probability, and the spread of the two means is added.
+    """
+    n, m = len(model.initial_mean), len(model.measurement_covariance)
+    of_noise = kalman.noise_log_likelihood(model)
+
+    def init(streams):
+        return State(*kalman.start(model, len(streams)), last=None)
+
+    def predict(state, k, known_input):
+        if k == 0:  # the first measurement of a study that starts with an update
+            return state.estimate.copy(), state.covariance.copy()
+        return kalman.predict(model, state.estimate, state.covariance, k - 1, known_input)  # (5)
+
+    def step(state, k, seen):
+        estimate, covariance = predict(state, k, seen.input)
+        received = getattr(seen, channel).reshape(-1, m)
+        innovation = kalman.innovate(model, estimate, covariance, received, seen.sensor)
+
+        def evidence():
+            return kalman.log_likelihood(innovation) - of_noise(received)
+
+        weight, last = weigh(seen, evidence, state.last)
+        corrected = kalman.correct(estimate, covariance, innovation, weight, spread)  # (4)
+        return State(*corrected, last, weight)
+
+    return Filter(
+        init,
+        step,
+        mean=lambda state: state.estimate.T,
+        predicted=lambda state, k: model.transition(state.estimate.T, k - 1),
+        variance=lambda state: kalman.diagonal(state.covariance, n).T,
+        arrived=lambda state: np.broadcast_to(state.weight, state.estimate.shape[1:]),
+    )

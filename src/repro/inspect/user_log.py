@@ -1,0 +1,37 @@
+"""A filter on a log recorded elsewhere: estimates, and errors where the log has the truth."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from repro.errors import ReproError
+from repro.logs import read_foreign
+from repro.run import run
+from repro.studies import open_loop_module
+from repro.tables.csv_file import write_csv
+
+
+def run_user_log(log_path: str, user_log: dict, name: str, path: str | Path) -> None:
+    """Write trial, k, the estimate of every state component and, if known, its error.
+
+    `user_log` has `study`, `point`, the point's `parameters` and the filter's `settings`.
+    """
+    study, parameters = user_log["study"], user_log["parameters"]
+    fields = open_loop_module(study).topics(parameters)
+    log = read_foreign(log_path, fields, study, user_log["point"], parameters)
+    estimate, runs = run(log, name, user_log["settings"])
+    trials, steps, n = estimate.shape
+    states = fields["/truth"]
+    if len(states) != n:
+        raise ReproError(
+            f"filter {name}: estimates {n} components; /truth of {study} has {len(states)}"
+        )
+    columns = {
+        "trial": np.repeat(log.trials, steps),
+        "k": np.tile(np.arange(steps), trials),
+        **{state: estimate[:, :, i].ravel() for i, state in enumerate(states)},
+    }
+    if "/truth" in log.values:
+        columns |= {f"error_{s}": runs.error[:, :, i].ravel() for i, s in enumerate(states)}
+    write_csv(pd.DataFrame(columns), path)

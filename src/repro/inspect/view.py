@@ -1,0 +1,132 @@
+"""One trial to look into: truth, signals, and every filter's estimate and error on one clock."""
+
+import itertools
+import json
+from pathlib import Path
+
+import numpy as np
+
+from repro.atomic import atomic_write
+from repro.errors import ReproError
+from repro.logs import Log, write_log
+from repro.studies import study_module
+from repro.tables.results import Results
+
+LAYOUT = "foxglove-layout.json"  # the layout as an attachment of the view
+
+
+def trial_view(results: Results, study: str, point: str, trial: int) -> Log:
+    """The log of one trial with the topics /estimate/<filter> and /error/<filter> added.
+
+    Both have the fields of /truth. In a closed loop each filter has its own truth, and all of its
+    flight's topics bear its name. Raises ReproError if the point has no such trial.
+    """
+    log = results.log(study, point)
+    if trial not in log.trials:
+        last = log.trials[-1]
+        raise ReproError(f"trial {trial}: {study}, {point} has the trials 0 to {last}; name one")
+    at = int(np.flatnonzero(log.trials == trial)[0])
+    place = slice(at, at + 1)
+    add = _add_flight if hasattr(study_module(study), "flight") else _add_estimate
+    view = _only(log, place)
+    for filter_ in results.filters(study, point):
+        view = add(view, results, filter_, place)
+    return view
+
+
+def _only(log: Log, trials: slice) -> Log:
+    values = {topic: values[trials] for topic, values in log.values.items()}
+    return log._replace(trials=log.trials[trials], values=values)
+
+
+def _with(view: Log, fields: tuple[str, ...], topics: dict[str, np.ndarray]) -> Log:
+    return view._replace(
+        fields=view.fields | dict.fromkeys(topics, fields), values=view.values | topics
+    )
+
+
+def _add_estimate(view: Log, results: Results, filter_: str, place: slice) -> Log:
+    error = results.runs(view.study, view.point, filter_).error[place]
+    topics = {f"/estimate/{filter_}": view.values["/truth"] + error, f"/error/{filter_}": error}
+    return _with(view, view.fields["/truth"], topics)
+
+
+def _add_flight(view: Log, results: Results, filter_: str, place: slice) -> Log:
+    flown = _only(results.flight(view.study, view.point, filter_), place)
+    for topic, values in flown.values.items():
+        name = topic if topic == "/reference" else f"{topic}/{filter_}"
+        view = _with(view, flown.fields[topic], {name: values})
+    error = flown.values["/estimate"] - flown.values["/truth"]
+    return _with(view, flown.fields["/truth"], {f"/error/{filter_}": error})
+
+
+def write_view(
+    results: Results, study: str, point: str, trial: int, path: str | Path, layout: str | Path
+) -> None:
+    """Write the view and its Foxglove layout, which the view also carries as an attachment."""
+    view = trial_view(results, study, point, trial)
+    module = study_module(study)
+    drawn = json.dumps(foxglove_layout(view, getattr(module, "TRAJECTORY", ())), indent=1)
+    with atomic_write(layout) as part:
+        part.write_text(drawn + "\n")
+    write_log(path, view, module.period(view.parameters), {LAYOUT: drawn.encode()})
+
+
+def foxglove_layout(view: Log, trajectory: tuple[tuple[str, str], ...]) -> dict:
+    """Panels: trajectories (pairs of fields of the truth), states, signals, errors over time."""
+    sources = _of_kind(view, "truth", "estimate")
+    errors = _of_kind(view, "error")
+    states = dict.fromkeys([*itertools.chain(*trajectory), *view.fields[sources[0]]])
+    panels = {}
+    for x, y in trajectory:
+        for source in [*sources, *_of_kind(view, "reference")]:
+            panels[f"Plot!{source.strip('/').replace('/', '_')}_{x}_{y}"] = _plot(
+                f"{source}: {y} over {x}", {source: f"{source}.{y}"}, f"{source}.{x}"
+            )
+    for state in list(states)[:6]:
+        panels[f"Plot!state_{state}"] = _plot(state, {s: f"{s}.{state}" for s in sources})
+    signals = {
+        f"{topic}.{field}": f"{topic}.{field}"
+        for topic in _of_kind(view, "received", "network", "throttle")
+        for field in view.fields[topic][:6]
+    }
+    panels["Plot!signals"] = _plot("received and network", signals)
+    for state in list(states)[:2]:
+        panels[f"Plot!error_{state}"] = _plot(
+            f"error of {state}", {e.removeprefix("/error/"): f"{e}.{state}" for e in errors}
+        )
+    return {
+        "configById": panels,
+        "globalVariables": {},
+        "userNodes": {},
+        "playbackConfig": {"speed": 1},
+        "layout": _split(list(panels), "row"),
+    }
+
+
+def _of_kind(view: Log, *kinds: str) -> list[str]:
+    """Topics /kind and /kind/<filter>."""
+    return [topic for topic in view.fields if topic.split("/")[1] in kinds]
+
+
+def _plot(title: str, series: dict[str, str], over: str | None = None) -> dict:
+    config = {
+        "title": title,
+        "paths": [
+            {"value": path, "label": label, "enabled": True, "timestampMethod": "receiveTime"}
+            for label, path in series.items()
+        ],
+        "showLegend": True,
+        "isSynced": over is None,
+        "xAxisVal": "timestamp" if over is None else "custom",
+    }
+    return config if over is None else config | {"xAxisPath": {"value": over, "enabled": True}}
+
+
+def _split(names: list[str], direction: str) -> dict | str:
+    """A mosaic that halves the panels in turn."""
+    if len(names) == 1:
+        return names[0]
+    half, other = len(names) // 2, {"row": "column", "column": "row"}[direction]
+    first, second = (_split(part, other) for part in (names[:half], names[half:]))
+    return {"direction": direction, "first": first, "second": second, "splitPercentage": 50}

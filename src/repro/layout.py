@@ -1,0 +1,57 @@
+"""Where each result lies under results/. Rules, jobs and pages take every path from here."""
+
+from pathlib import Path
+
+
+class Layout:
+    """Paths below a root folder. A part that is not given stays a wildcard of the rules."""
+
+    def __init__(self, root: str | Path):
+        self.root = Path(root)
+
+    def _at(self, *parts: object) -> str:
+        return str(self.root.joinpath(*map(str, parts)))
+
+    def log(self, study="{study}", point="{point}", shard="{shard}") -> str:
+        """Truth and impaired measurements of a shard of trials."""
+        return self._at("logs", study, point, f"{shard}.mcap")
+
+    def run(self, study="{study}", point="{point}", filter_="{filter}", shard="{shard}") -> str:
+        """Errors of a filter on a log."""
+        return self._at("runs", study, point, filter_, f"{shard}.npz")
+
+    def flight(self, study="{study}", point="{point}", filter_="{filter}", shard="{shard}") -> str:
+        """What was flown on a filter's estimates, in a closed loop."""
+        return self._at("flights", study, point, filter_, f"{shard}.mcap")
+
+    def table(self, name="{study}") -> str:
+        """Table of a study, or one computed without trials."""
+        return self._at("tables", f"{name}.csv")
+
+    def curves(self, study="{study}") -> str:
+        """Statistics of a study over the steps."""
+        return self._at("curves", f"{study}.csv")
+
+    def claims(self, paper="{paper}") -> str:
+        """Every comparison behind the claims of a paper."""
+        return self._at("claims", f"{paper}.csv")
+
+    def view(self, study="{study}", point="{point}", trial="{trial}") -> str:
+        """One trial to look into, without its ending."""
+        return self._at("views", study, point, f"trial-{trial}")
+
+    def user_estimates(self, filter_="{filter}") -> str:
+        """Estimates of a filter on a log recorded elsewhere."""
+        return self._at("own", f"{filter_}.csv")
+
+    def page(self, name: str) -> str:
+        """A single file of the whole run: diff.csv, manifest.json ..."""
+        return self._at(name)
+
+    def job_log(self, *parts: str) -> str:
+        """Log of a job: its usage, or the one line of its fault."""
+        return self._at("job_logs", *parts) + ".log"
+
+    def timing(self, *parts: str) -> str:
+        """Snakemake's benchmark file of a job; `job_log` of the same parts belongs to it."""
+        return self._at("timings", *parts) + ".tsv"

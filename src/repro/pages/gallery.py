@@ -1,0 +1,20 @@
+"""The gallery: every figure with its caption, paper by paper."""
+
+from pathlib import Path
+
+from repro.atomic import atomic_write
+from repro.workflow.code import constants
+
+
+def write_gallery(scripts: list[str], titles: dict[str, str], path: str | Path) -> None:
+    """Write figures/README.md; a script's picture stands beside it, its caption in it."""
+    text = ["# Figures", "", "Made by the run from the scripts beside the pictures.", ""]
+    for paper, title in titles.items():
+        text += [f"## {paper}", "", title, ""]
+        for script in sorted(map(Path, scripts)):
+            if script.parent.name == paper:
+                caption = constants(str(script))["CAPTION"]
+                picture = f"{paper}/{script.stem}.png"
+                text += [f"![{script.stem}]({picture})", "", caption, ""]
+    with atomic_write(path) as part:
+        part.write_text("\n".join(text))

@@ -1,0 +1,236 @@
+"""Figures 2-15 and Tables I and II of Song et al.: tracks, received values, RMSE over k."""
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from repro.network.censoring import EXACT
+from repro.papers.censored_network.claims import averages
+from repro.plot import style
+from repro.statistics import metrics
+from repro.studies.families import censored_network as study
+from repro.tables.results import Results
+
+POINT = "base"
+MODEL = {"deadband": "DBLMC", "saturation": "SLMC"}
+WITHOUT_MODEL = ("dead_reckoning",)  # it sees no measurement to censor
+
+
+def look(results: Results, name: str, filter_: str) -> dict:
+    """Colour and marker; dead reckoning, which is no rival but the line to beat, is grey."""
+    if filter_ in WITHOUT_MODEL:
+        return {"color": "0.45", "marker": None, "linestyle": "--"}
+    return style.look(results.catalogue, name, filter_)
+
+
+def label(name: str, filter_: str) -> str:
+    """The paper's name of a filter: MAPF-DBLMC-NC for MAPF-NC in the study deadband."""
+    if filter_ in WITHOUT_MODEL:
+        return style.label(filter_)
+    kind, *variant = style.label(filter_).split("-", 1)
+    return "-".join([kind, MODEL[name], *variant])
+
+
+def track(results: Results, name: str, target: int, trial: int) -> Figure:
+    """True and estimated positions of one target in one run, with the sensors."""
+    log = results.log(name, POINT)
+    columns = slice(3 * target - 3, 3 * target - 1)
+    truth = log.values["/truth"][trial, :, columns]
+    drawn, axes = style.figure(size=(6.0, 4.8))
+    for group, (positions, marker) in enumerate(
+        zip(study.sensors(log.parameters), "^v", strict=True)
+    ):
+        axes.plot(
+            *positions.T,
+            marker,
+            mfc="none",
+            color="0.45",
+            ms=6,
+            label=f"sensors, group {group + 1}",
+        )
+    axes.plot(*truth.T, color="black", lw=1.6, label="true")
+    for filter_ in ("dead_reckoning", "mapf"):
+        error = results.runs(name, POINT, filter_).error[trial, :, columns]
+        line = look(results, name, filter_) | {"marker": "." if filter_ == "mapf" else None}
+        rms = np.sqrt((error[1:] ** 2).sum(axis=1).mean())
+        axes.plot(
+            *(truth + error).T,
+            lw=1.1,
+            ms=4,
+            **line,
+            label=f"{label(name, filter_)}, {rms:.2f} m rms",
+        )
+    axes.plot(*truth[0], "o", color="black", ms=5)
+    axes.annotate("k = 0", truth[0], xytext=(6, -10), textcoords="offset points", fontsize=8)
+    axes.set(
+        xlabel=r"$p_x$ in m",
+        ylabel=r"$p_y$ in m",
+        aspect="equal",
+        title=f"target {target}, run {trial}",
+    )
+    drawn.legend(fontsize=8, loc="outside right upper")
+    return drawn
+
+
+def first_component(results: Results, name: str, trial: int) -> Figure:
+    """Target 1: which group transmits, and the first of the three values that arrive."""
+    log = results.log(name, POINT)
+    group = log.field("/network", "group_1")[trial, 1:]
+    value = log.field("/received", "value_1_1")[trial, 1:]
+    exact = log.field("/received", "code_1_1")[trial, 1:] == EXACT
+    k = np.arange(1, len(group) + 1)
+    drawn, (upper, lower) = style.figure(
+        2, 1, size=(7.2, 4.8), sharex=True, gridspec_kw={"height_ratios": [4, 1]}
+    )
+    for m in (1, 2):
+        ideal = log.field("/sensor", f"strength_1_{m}_1")[trial, 1:]
+        upper.plot(
+            k,
+            ideal,
+            lw=0.9,
+            color=style.COLOURS[m - 1],
+            alpha=0.7,
+            label=f"uncensored, first sensor of group {m}",
+        )
+    upper.plot(k[exact], value[exact], "o", color="black", ms=4, label="received, exact")
+    upper.plot(
+        k[~exact], value[~exact], "s", mfc="none", color="#D55E00", ms=5, label="received, censored"
+    )
+    for threshold in ("lower_threshold", "upper_threshold"):
+        upper.axhline(log.parameters[threshold], color="0.4", ls=":", lw=1)
+    upper.set(ylabel=r"first component of $y_k^1$ in dB", title=f"target 1, run {trial}")
+    drawn.legend(fontsize=7.5, ncols=2, loc="outside lower center")
+    lower.plot(k, group, "s", color="black", ms=3)
+    lower.set(xlabel="k (steps)", ylabel=r"group $\rho_k^1$", yticks=[1, 2], ylim=(0.5, 2.5))
+    return drawn
+
+
+def rmse_over_k(results: Results, name: str, target: int) -> Figure:
+    """RMSE over k of every filter, a band of two standard errors, and the printed averages."""
+    curves = results.curves(name)
+    curves = curves[(curves["metric"] == "rmse") & (curves["component"] == f"target_{target}")]
+    published = results.diff()
+    here = (published["study"] == name) & (published["component"] == f"target_{target}")
+    published = published[here].set_index("filter")["published"]
+    drawn, axes = style.figure(size=(7.2, 4.6))
+    for filter_ in results.filters(name, POINT):
+        rows = curves[(curves["point"] == POINT) & (curves["filter"] == filter_)]
+        line = look(results, name, filter_)
+        axes.plot(
+            rows["k"], rows["value"], lw=1.4, ms=4, markevery=8, label=label(name, filter_), **line
+        )
+        band = 2 * rows["mcse"]
+        axes.fill_between(
+            rows["k"],
+            rows["value"] - band,
+            rows["value"] + band,
+            color=line["color"],
+            alpha=0.15,
+            lw=0,
+        )
+        if filter_ in published.index:
+            last = rows["k"].max()
+            axes.plot(
+                [1.03 * last],
+                [published[filter_]],
+                **style.PUBLISHED | {"color": line["color"], "clip_on": False},
+            )
+    axes.plot([], [], **style.PUBLISHED, label="published, averaged over k")
+    axes.set(
+        xlabel="k (steps)",
+        ylabel="position RMSE in m",
+        title=f"target {target}, {len(results.runs(name, POINT, 'mapf').error)} runs",
+    )
+    style.plain_log(axes)
+    axes.legend(fontsize=8, ncols=2)
+    return drawn
+
+
+def time_averages(results: Results, name: str) -> Figure:
+    """The table of time-averaged RMSE, published and ours, with both standard errors."""
+    diff = results.diff()
+    diff = diff[diff["study"] == name].set_index(["filter", "component"])
+    drawn, grid = style.figure(1, 4, size=(9.2, 3.9), sharey=True)
+    filters = results.filters(name, POINT)
+    found = {filter_: averages(results, name, POINT, filter_) for filter_ in filters}
+    for i, (component, axes) in enumerate(zip(study.COMPONENTS, grid, strict=True)):
+        for place, filter_ in enumerate(filters):
+            value, left_out = found[filter_]
+            colour = look(results, name, filter_)["color"]
+            error = metrics.jackknife_error(left_out)[i]
+            axes.errorbar(place + 0.12, value[i], 2 * error, fmt="o", ms=5, color=colour, capsize=3)
+            if (filter_, component) in diff.index:
+                row = diff.loc[(filter_, component)]
+                axes.errorbar(
+                    place - 0.12,
+                    row["published"],
+                    2 * row["their_error"],
+                    fmt="_",
+                    ms=11,
+                    color="black",
+                    capsize=3,
+                )
+        axes.set(
+            title=component.replace("_", " "),
+            xticks=np.arange(len(filters)),
+            xlim=(-0.6, len(filters) - 0.4),
+        )
+        axes.set_xticklabels(
+            [label(name, f) for f in filters], rotation=40, ha="right", fontsize=7.5
+        )
+        style.plain_log(axes)
+    grid[0].errorbar([], [], [], fmt="_", ms=11, color="black", capsize=3, label="published")
+    grid[0].errorbar([], [], [], fmt="o", ms=5, color="0.3", capsize=3, label="ours")
+    grid[0].set_ylabel("time-averaged position RMSE in m")
+    drawn.legend(fontsize=8, ncols=2, loc="outside upper right")
+    return drawn
+
+
+def sensitivity(results: Results) -> Figure:
+    """Average RMSE under each reading, and which order holds, for both studies."""
+    drawn, grid = style.figure(
+        2, 2, size=(10.5, 8.6), sharey="row", gridspec_kw={"width_ratios": [3, 1.4]}
+    )
+    marks = {"holds": ("o", "full"), "undecided": ("o", "none"), "fails": ("X", "full")}
+    for name, (left, right) in zip(MODEL, grid, strict=True):
+        table = results.table(f"{name}_sensitivity")
+        readings = list(dict.fromkeys(table["reading"]))
+        levels = table[table["metric"] == "rmse"]
+        for filter_ in dict.fromkeys(levels["filter"]):
+            rows = levels[levels["filter"] == filter_]
+            place = [readings.index(reading) for reading in rows["reading"]]
+            line = look(results, name, filter_) | {"linestyle": "none"}
+            line["marker"] = line["marker"] or "|"
+            left.errorbar(
+                rows["value"],
+                place,
+                xerr=2 * rows["mcse"],
+                ms=5,
+                label=style.label(filter_),
+                **line,
+            )
+        left.set(xscale="log", xlabel="RMSE in m, mean of the targets and of k", title=MODEL[name])
+        left.set_yticks(np.arange(len(readings)), readings, fontsize=8)
+        left.invert_yaxis()
+        style.plain_log(left, "x")
+        orders = table[table["metric"] == "order"]
+        columns = list(dict.fromkeys(orders["filter"]))
+        for row in orders.itertuples():
+            marker, fill = marks[row.verdict]
+            right.plot(
+                columns.index(row.filter),
+                readings.index(row.reading),
+                marker,
+                fillstyle=fill,
+                color="#D55E00" if row.verdict == "fails" else "black",
+                ms=7,
+            )
+        names = [
+            " < ".join(style.label(f) for f in column.split(" < ")).replace("dead reckoning", "DR")
+            for column in columns
+        ]
+        right.set_xticks(np.arange(len(columns)), names, rotation=30, ha="right", fontsize=8)
+        right.set_xlim(-0.5, len(columns) - 0.5)
+    legend = grid[0, 0].get_legend_handles_labels()
+    drawn.legend(*legend, fontsize=8, ncols=5, loc="outside upper left")
+    grid[0, 1].set_title("order: full holds, ring undecided, cross fails", fontsize=8)
+    return drawn

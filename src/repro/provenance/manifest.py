@@ -1,0 +1,50 @@
+"""What the results were made with and of: versions, commit, seed, and a hash of each file."""
+
+import hashlib
+import json
+import platform
+from importlib.metadata import version
+from pathlib import Path
+
+from repro import __version__
+from repro.atomic import atomic_write
+from repro.errors import ReproError
+
+PACKAGES = ("snakemake", "numpy", "scipy", "pandas", "matplotlib", "mcap")
+
+
+def sha256(path: str | Path) -> str:
+    """Hash of a file's bytes."""
+    with Path(path).open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()
+
+
+def write_manifest(
+    path: str | Path, commit: str, root_seed: int, parameters: list[str], results: list[str]
+) -> None:
+    """Write the manifest of the given parameter and result files."""
+    content = {
+        "repro": __version__,
+        "commit": commit,
+        "root_seed": root_seed,
+        "python": platform.python_version(),
+        "platform": platform.platform(),
+        "packages": {name: version(name) for name in PACKAGES},
+        "parameters": {name: sha256(name) for name in sorted(parameters)},
+        "results": {name: sha256(name) for name in sorted(results)},
+    }
+    with atomic_write(path) as part:
+        part.write_text(json.dumps(content, indent=1) + "\n")
+
+
+def check_manifest(path: str | Path) -> None:
+    """Raise ReproError, naming them, if files are not what they were when the manifest was made."""
+    content = json.loads(Path(path).read_text())
+    changed = [
+        f"{name} ({'changed' if Path(name).exists() else 'missing'})"
+        for name, known in (content["parameters"] | content["results"]).items()
+        if not Path(name).exists() or sha256(name) != known
+    ]
+    if changed:
+        named = ", ".join(changed[:5]) + (f" and {len(changed) - 5} more" if changed[5:] else "")
+        raise ReproError(f"{path}: not as when it was made: {named}: run snakemake again")

@@ -1,0 +1,15 @@
+"""What a filter leaves of its runs."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Runs(NamedTuple):
+    """What a filter's jobs leave of one (study, point), all trials in order."""
+
+    error: np.ndarray  # (trials, steps, n)
+    claimed: np.ndarray | None  # claimed error variances, ([trials,] steps, n)
+    degenerate: np.ndarray  # guarded updates, (trials,)
+    recorded: dict[str, np.ndarray]  # what the closed loop decided
+    flown: dict[str, np.ndarray] | None = None  # topics of a closed loop's log; not in the file

@@ -1,0 +1,52 @@
+"""Tables and curves of a study, in long form, each number with its Monte Carlo standard error."""
+
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pandas as pd
+
+from repro.statistics.shards import Shards
+from repro.studies import study_module
+from repro.tables.csv_file import write_csv
+from repro.tables.results import Results
+
+
+def tabulate(results: Results, study: str, table: str | Path, curves: str | Path) -> None:
+    """Write the table and the curves of every point and filter of a study."""
+    module = study_module(study)
+    rows, over_k = [], []
+    for point, filters in results.catalogue[study].items():
+        for filter_ in filters:
+            shards = results.in_shards(study, point, filter_)
+            degenerate = shards.each(lambda runs: runs.degenerate).mean()
+            lost = _share_lost(module, shards)
+            where = {"study": study, "point": point, "filter": filter_}
+            for metric, component, statistic in module.rows(shards):
+                rows.append(
+                    where
+                    | {"metric": metric, "component": component}
+                    | {"value": statistic.value, "mcse": statistic.mcse}
+                    | {"trials": shards.trials, "median": statistic.median}
+                    | {"q10": statistic.q10, "q90": statistic.q90}
+                    | {"lost": lost, "degenerate": degenerate}
+                )
+            for metric, component, statistic in module.curves(shards):
+                over_k.append(
+                    pd.DataFrame(
+                        where
+                        | {"metric": metric, "component": component}
+                        | {"k": np.arange(len(statistic.value)), "value": statistic.value}
+                        | {"mcse": statistic.mcse, "median": statistic.median}
+                        | {"q10": statistic.q10, "q90": statistic.q90}
+                    )
+                )
+    write_csv(rows, table)
+    write_csv(pd.concat(over_k), curves)
+
+
+def _share_lost(module: ModuleType, shards: Shards) -> float:
+    """Share of the runs that lost their target; NaN where a study knows no such thing."""
+    if module.lost(shards.first) is None:
+        return np.nan
+    return shards.each(module.lost).mean()

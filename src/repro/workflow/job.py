@@ -1,0 +1,42 @@
+"""What every job of the workflow does around its work: one line on bad input, and its usage."""
+
+import resource
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from repro.errors import ReproError
+
+USAGE = "usage:"
+
+
+@contextmanager
+def job(log: str | Path) -> Iterator[None]:
+    """A job's work; its log file gets CPU time and peak memory, or one line on a fault."""
+    try:
+        yield
+        usage = f"cpu_s={time.process_time():.3f} peak_mb={_peak_mb():.1f}"
+        Path(log).write_text(f"{USAGE} {usage}\n")
+    except ReproError as error:
+        _end(log, str(error))
+    except OSError as error:  # a full disk, a folder that cannot be written
+        _end(
+            log, f"{error.filename or 'a result'}: {error.strerror or error}: fix it and run again"
+        )
+
+
+def _end(log: str | Path, fault: str) -> None:
+    with suppress(OSError):  # the log may be on the same full disk
+        Path(log).write_text(f"error: {fault}\n")
+    sys.exit(f"error: {fault}")
+
+
+def _peak_mb() -> float:
+    """Peak resident memory. getrusage would count what the process that started this one held."""
+    status = Path("/proc/self/status")
+    if status.exists():
+        line = next(line for line in status.read_text().splitlines() if line.startswith("VmHWM"))
+        return int(line.split()[1]) / 1024
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024

@@ -1,0 +1,111 @@
+"""Which filters run on which points: filled by the filters' rules, read by everything else."""
+
+from collections.abc import Iterable, Mapping
+from fnmatch import fnmatchcase
+
+from repro.errors import ReproError
+from repro.layout import Layout
+from repro.parameters.load import on_request
+
+Catalogue = dict[str, dict[str, list[str]]]  # study -> point -> filters, in the order of the rules
+
+
+def matching_points(
+    points: Iterable[str], wanted: str | list[str] = "*", skipped: str | list[str] = ()
+) -> list[str]:
+    """Points that match a pattern of `wanted` and none of `skipped` (shell patterns)."""
+    wanted = [wanted] if isinstance(wanted, str) else wanted
+    skipped = [skipped] if isinstance(skipped, str) else skipped
+    return [
+        point
+        for point in points
+        if any(fnmatchcase(point, pattern) for pattern in wanted)
+        and not any(fnmatchcase(point, pattern) for pattern in skipped)
+    ]
+
+
+class Registry:
+    """The filters of every point, and the files that their jobs leave."""
+
+    def __init__(self, layout: Layout, points: Mapping[str, Iterable[str]], shards: int):
+        """`points` are the names of each study's points; `shards` the jobs of each point."""
+        self._layout, self._shards = layout, range(shards)
+        self._filters: Catalogue = {
+            study: {p: [] for p in named} for study, named in points.items()
+        }
+        self._closed_loops: set[str] = set()
+
+    def runs(self, name: str, studies: list[str], points="*", skip=()) -> str:
+        """Output of a filter's rule; registers the filter on the matching points of the studies.
+
+        Raises ReproError for an unknown study, and for a pattern that no point matches.
+        """
+        for study in studies:
+            if study not in self._filters:
+                known = ", ".join(self._filters)
+                raise ReproError(
+                    f"filter {name}: there is no study '{study}'; the studies are {known}"
+                )
+            matching = matching_points(self._filters[study], points, skip)
+            if not matching:
+                raise ReproError(
+                    f"filter {name}: no point of {study} matches {points}; fix the pattern"
+                )
+            for point in matching:
+                self._filters[study][point].append(name)
+        return self._layout.run(**_only(name, studies))
+
+    def flights(self, name: str, studies: list[str]) -> str:
+        """Second output where a filter closes a loop: the log of what was flown."""
+        self._closed_loops.update(studies)
+        return self._layout.flight(**_only(name, studies))
+
+    def catalogue(self, *studies: str, requested: bool = False) -> Catalogue:
+        """Filters by study and point, without points that have none.
+
+        Points on request are left out unless they are `requested`.
+        """
+        return {
+            study: {
+                point: filters
+                for point, filters in self._filters[study].items()
+                if filters and (requested or not on_request(point))
+            }
+            for study in studies
+        }
+
+    def run_files(self, study: str, points=None, requested: bool = False) -> list[str]:
+        """Runs of all filters on the given (or all) points of a study."""
+        return [
+            self._layout.run(study, point, name, shard)
+            for point, filters in self._chosen(study, points, requested)
+            for name in filters
+            for shard in self._shards
+        ]
+
+    def log_files(self, study: str, points=None) -> list[str]:
+        """Logs of the given (or all) points of a study that a filter runs on."""
+        return [
+            self._layout.log(study, point, shard)
+            for point, _ in self._chosen(study, points)
+            for shard in self._shards
+        ]
+
+    def flight_files(self, study: str, point: str) -> list[str]:
+        """Logs of what the filters flew; none in an open loop."""
+        if study not in self._closed_loops:
+            return []
+        return [
+            self._layout.flight(study, point, name, shard)
+            for name in self._filters[study][point]
+            for shard in self._shards
+        ]
+
+    def _chosen(self, study: str, points, requested: bool = False):
+        of_study = self.catalogue(study, requested=requested)[study]
+        return [(p, filters) for p, filters in of_study.items() if points is None or p in points]
+
+
+def _only(name: str, studies: list[str]) -> dict[str, str]:
+    """Wildcards that match this filter on these studies."""
+    return {"study": f"{{study,{'|'.join(studies)}}}", "filter_": f"{{filter,{name}}}"}

@@ -1,0 +1,24 @@
+# What only this paper has: which published order survives which unstated assumption. On request.
+rule sensitivity:
+    input:
+        runs=lambda wildcards: REGISTRY.run_files(
+            wildcards.study,
+            ["base", *filter(on_request, STUDIES[wildcards.study])],
+            requested=True,
+        ),
+    output:
+        LAYOUT.table("{study}_sensitivity"),
+    log:
+        LAYOUT.job_log("sensitivity", "{study}"),
+    benchmark:
+        LAYOUT.timing("sensitivity", "{study}")
+    wildcard_constraints:
+        study="|".join(PAPERS["censored_network"].studies),
+    conda:
+        ENVIRONMENT
+    params:
+        results=lambda wildcards: results_of([wildcards.study], requested=True),
+        tolerance=RUN["tolerance"],
+        code=code("repro.papers.censored_network.sensitivity"),
+    script:
+        "../../scripts/papers/sensitivity.py"
