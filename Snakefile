@@ -19,6 +19,7 @@ localrules:
     all,
     archive,
     assumptions,
+    catalogue,
     complexity,
     diff,
     gallery,

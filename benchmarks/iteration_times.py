@@ -58,7 +58,7 @@ def main() -> None:
                 best.append(best_time(log, name, filters[name]) / trials / STEPS * 1e6)
         for name, best in bests.items():
             rows.append(
-                {"filter": name, "particles": particles, "loss": parameters["loss_probability"]}
+                {"filter": name, "particles": particles, "loss": parameters.loss_probability}
                 | {"microseconds": np.median(best), "error": np.std(best, ddof=1) / ROUNDS**0.5}
                 | {"machine": f"{processor()}; NumPy {np.__version__}, one core"}
             )

@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 from filterpy.kalman import ExtendedKalmanFilter, KalmanFilter
 
+from repro import plugins
 from repro.models.sparse import dense
 from repro.parameters.load import load_paper
 from repro.run import run
 from repro.simulate import simulated
-from repro.studies import study_module
 
 ROOT = Path(__file__).parent.parent
 SECONDS = 3.0  # of repeating, of which the best counts
@@ -79,7 +79,7 @@ def main() -> None:
             limit = LIMITS[study, particles > 1]
             unit = "particle-step" if particles > 1 else "trial-step"
             print(f"{study:14} {name:10} {spent:8.0f} ns a {unit} (limit {limit})")
-        model = study_module(study).model(parameters)
+        model = plugins.study(study).model(parameters)
         spent = cpu(partial(filterpy_steps, log, model)) / steps * 1e9
         print(f"{study:14} FilterPy   {spent:8.0f} ns a trial-step")
 

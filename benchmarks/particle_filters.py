@@ -172,7 +172,7 @@ def in_the_filters(trials: int = 24) -> bool:
         log = simulated(study, "base", base.parameters, 1, np.arange(trials))
         for name, limit in LIMITS.items():
             seconds, _ = timed(run, log, name, base.filters[name])
-            each = trials * base.parameters["steps"] * 3 * base.filters[name]["particles"] / 1e9
+            each = trials * base.parameters.steps * 3 * base.filters[name]["particles"] / 1e9
             took = seconds / each
             print(f"{study}, {name}: {took:.0f} ns a particle, node and step; at most {limit:.0f}")
             fast &= took <= limit

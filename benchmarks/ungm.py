@@ -15,13 +15,13 @@ from time import process_time
 
 import numpy as np
 
+from repro import plugins
 from repro.logs import Log
 from repro.models import ungm
 from repro.network.energy_harvesting import transmission_probability
 from repro.parameters.load import load_paper
 from repro.run import run
 from repro.simulate import simulated
-from repro.studies import study_module
 
 ROOT = Path(__file__).parent.parent
 LIMITS = {"ungm": 40.0, "rss_2d": 110.0}  # ns
@@ -47,7 +47,7 @@ def librarys(log: Log, particles: int, trials: int) -> np.ndarray:
     from particles.collectors import Moments
 
     parameters = log.parameters
-    model = study_module("ungm").model(parameters)
+    model = plugins.study("ungm").model(parameters)
     transmission = transmission_probability(model.energy, model.steps, "lemma1")
 
     class Moved(dists.ProbDist):
@@ -55,7 +55,7 @@ def librarys(log: Log, particles: int, trials: int) -> np.ndarray:
             self.x, self.t = x, t
 
         def rvs(self, size=None):
-            w = np.random.gamma(2.0, parameters["process_noise_scale"], size)  # noqa: NPY002
+            w = np.random.gamma(2.0, parameters.process_noise_scale, size)  # noqa: NPY002
             return ungm.transition(self.x, self.t) + w
 
     class Received(dists.ProbDist):
@@ -64,7 +64,7 @@ def librarys(log: Log, particles: int, trials: int) -> np.ndarray:
 
         def logpdf(self, z):
             total = 0.0
-            for i, offset in enumerate(parameters["sensor_offsets"]):
+            for i, offset in enumerate(parameters.sensor_offsets):
                 level = ungm.level(self.x, offset)
                 total = total + model.noise.log_likelihood(
                     z[i : i + 1], level, i, model.saturation, transmission[self.t + 1]
@@ -74,7 +74,7 @@ def librarys(log: Log, particles: int, trials: int) -> np.ndarray:
     class Scalar(ssm.StateSpaceModel):
         def PX0(self):  # the library has no step before its first measurement
             x0 = np.random.normal(  # noqa: NPY002
-                parameters["prior_mean"], np.sqrt(parameters["prior_variance"]), particles
+                parameters.prior_mean, np.sqrt(parameters.prior_variance), particles
             )
             return Moved(x0, 0)
 
@@ -106,7 +106,7 @@ def main() -> bool:
         log = simulated(study, "base", base.parameters, 1, np.arange(trials))
         settings = base.filters["pf_ross_eh"]
         seconds, (estimate, _) = timed(run, log, "pf_ross_eh", settings)
-        each = trials * base.parameters["steps"] * settings["particles"] / 1e9
+        each = trials * base.parameters.steps * settings["particles"] / 1e9
         took[study] = (seconds / each, log, estimate)
         print(f"{study}: {seconds / each:.0f} ns a particle and step; at most {limit:.0f}")
         fast &= seconds <= limit * each
@@ -119,7 +119,7 @@ def main() -> bool:
         print(f"  the library is not installed ({error})")
         return False
     seconds, theirs = timed(librarys, log, particles, trials)
-    each = trials * log.parameters["steps"] * particles / 1e9
+    each = trials * log.parameters.steps * particles / 1e9
     print(f"  particles: {seconds / each:.0f} ns, {seconds / each / ours:.1f} times as much")
     errors = [
         np.sqrt(((x - log.values["/truth"][:trials, 1:, 0]) ** 2).mean())

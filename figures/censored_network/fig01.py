@@ -23,10 +23,10 @@ def draw(results):
     for study, name, look in LOOKS:
         log = results.log(study, "base")
         model = Censoring(
-            log.parameters["censoring"],
-            log.parameters["lower_threshold"],
-            log.parameters["upper_threshold"],
-            log.parameters["dead_band_constant"],
+            log.parameters.censoring,
+            log.parameters.lower_threshold,
+            log.parameters.upper_threshold,
+            log.parameters.dead_band_constant,
         )
         received, _ = censored(ideal, model)
         jumps = np.flatnonzero(np.abs(np.diff(received)) > 1) + 1  # not joined by a line

@@ -34,7 +34,7 @@ def arrow(axes, start, end, text="", above=0.12):
 
 def draw(results):
     parameters = results.log("rss_2d", "base").parameters
-    capacity = parameters["energy_capacity"]
+    capacity = parameters.energy_capacity
     drawn, axes = style.figure(size=(9.4, 4.0))
     axes.set(xlim=(-0.15, 13.6), ylim=(-0.1, 4.85))
     axes.axis("off")
@@ -58,7 +58,7 @@ def draw(results):
         arrow(axes, (7.3, y), (8.2, y), f"$+\\nu^{i}_k$\n$y^{i}_k$", above=0.03)
         arrow(axes, (10.0, y), (11.5, y), f"$+n^{i}_k$\n$z^{i}_k$", above=0.03)
     axes.text(
-        6.4, 2.0, f"$\\vdots$\nN = {parameters['sensors']}", fontsize=11, ha="center", va="center"
+        6.4, 2.0, f"$\\vdots$\nN = {parameters.sensors}", fontsize=11, ha="center", va="center"
     )
     box(axes, 12.4, 2.0, "remote filter\n$\\hat{x}_k$ from $z_{1:k}$", "#DCE9F5", 1.7, 3.45)
     return drawn

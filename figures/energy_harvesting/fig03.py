@@ -17,7 +17,7 @@ def draw(results):
             look = style.look(results.catalogue, "rss_2d", name)
             axes.plot(x[1:, 0], x[1:, 2], lw=0.9, ms=3, label=style.label(name), **look)
     parameters = results.log("rss_2d", "base").parameters
-    sensors = parameters["sensor_positions"][: parameters["sensors"]]
+    sensors = parameters.sensor_positions[: parameters.sensors]
     for i, (x, y) in enumerate(sensors, start=1):
         axes.plot(x, y, "^", color="0.4", ms=8, label="sensor" if i == 1 else None)
         axes.annotate(str(i), (x, y), xytext=(6, 5), textcoords="offset points", fontsize=9)

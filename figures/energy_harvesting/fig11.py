@@ -17,7 +17,7 @@ def draw(results):
             look = style.look(results.catalogue, "rss_3d", name)
             axes.plot(x[1:, 0], x[1:, 2], x[1:, 4], lw=0.9, ms=3, label=style.label(name), **look)
     parameters = results.log("rss_3d", "base").parameters
-    sensors = parameters["sensor_positions"][: parameters["sensors"]]
+    sensors = parameters.sensor_positions[: parameters.sensors]
     axes.scatter(*zip(*sensors, strict=True), marker="^", color="0.4", s=45, label="sensor")
     axes.set(xlabel="x in m", ylabel="y in m", zlabel="z in m", title=f"run {RUN}")
     axes.set_box_aspect(None, zoom=0.88)

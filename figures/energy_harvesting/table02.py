@@ -32,10 +32,8 @@ def said(value) -> str:
 def draw(results):
     parameters = results.log("rss_2d", "base").parameters
     ours = parameters | {
-        "harvest_transition": len(parameters["harvest_transition"]) - 1,
-        "measurement_variances": tuple(
-            parameters["measurement_variances"][: parameters["sensors"]]
-        ),
+        "harvest_transition": len(parameters.harvest_transition) - 1,
+        "measurement_variances": tuple(parameters.measurement_variances[: parameters.sensors]),
     }
     rows = [
         (symbol, name, said(printed), said(ours[name]), unit)

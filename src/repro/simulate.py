@@ -1,35 +1,46 @@
 """Ground truth and impaired measurements of one shard of trials -> one log."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from repro import plugins
 from repro.errors import computing
 from repro.logs import Log, write_log
+from repro.parameters.values import PointParameters
 from repro.streams import Streams
-from repro.studies import study_module
 
 
-def simulated(study: str, point: str, parameters: dict, seed: int, trials: np.ndarray) -> Log:
+def simulated(
+    study: str, point: str, parameters: PointParameters, seed: int, trials: np.ndarray
+) -> Log:
     """The log of the given trials in memory."""
-    module = study_module(study)
+    scenario = plugins.study(study)
     return Log(
         study=study,
         point=point,
         seed=seed,
         parameters=parameters,
         trials=trials,
-        fields=module.topics(parameters),
-        values=module.simulate(
+        fields=scenario.topics(parameters),
+        values=scenario.simulate(
             parameters, lambda role: Streams(seed, study, role, trials.tolist())
         ),
     )
 
 
 def simulate(
-    study: str, point: str, parameters: dict, seed: int, trials: tuple[int, int], path: str | Path
+    study: str,
+    point: str,
+    parameters: dict[str, Any],
+    seed: int,
+    trials: tuple[int, int],
+    path: str | Path,
 ) -> None:
     """Write the log of trials first ... last - 1."""
+    scenario = plugins.study(study)
+    typed = scenario.Parameters.checked(parameters, f"{study}, {point}: parameters")
     with computing(f"{study}, {point}"):
-        log = simulated(study, point, parameters, seed, np.arange(*trials))
-        write_log(path, log, study_module(study).period(parameters))
+        log = simulated(study, point, typed, seed, np.arange(*trials))
+        write_log(path, log, scenario.period(typed))

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from repro import plugins
 from repro.network.channels import ALWAYS_SEEN
-from repro.run import filter_module, run
-from repro.studies import study_module
+from repro.run import run
 from tests.conftest import points, registered, small_log
 
 FILTERS = [pytest.param(*entry, id=f"{entry[0]}-{entry[1]}") for entry in registered()]
@@ -20,7 +20,7 @@ def estimate(log, name, point):
 def test_estimates_are_finite_and_of_the_states_shape(name, study, point):
     log = small_log(study, point)
     found = estimate(log, name, point)
-    states = len(study_module(study).model(log.parameters).initial_mean)
+    states = len(plugins.study(study).model(log.parameters).initial_mean)
     truth = log.values.get("/truth", np.empty((5, log.steps, states)))  # a closed loop has none yet
     assert found.shape == truth.shape
     assert np.isfinite(found).all()
@@ -57,10 +57,10 @@ def test_the_truth_is_not_seen(name, study, point):
 
 @pytest.mark.parametrize(("name", "study", "point"), FILTERS)
 def test_undeclared_channels_are_not_seen(name, study, point, monkeypatch):
-    log, module = small_log(study, point), study_module(study)
+    log, scenario = small_log(study, point), plugins.study(study)
     before = estimate(log, name, point)
-    declared = {*filter_module(name).SEES, *ALWAYS_SEEN}
-    channels = module.channels
+    declared = {*plugins.filter_module(name).SEES, *ALWAYS_SEEN}
+    channels = scenario.channels
 
     def scrambled(*arguments):
         loop = channels(*arguments)
@@ -75,5 +75,5 @@ def test_undeclared_channels_are_not_seen(name, study, point, monkeypatch):
         loop.at = at
         return loop
 
-    monkeypatch.setattr(module, "channels", scrambled)
+    monkeypatch.setattr(scenario, "channels", scrambled)
     np.testing.assert_array_equal(before, estimate(log, name, point))

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from repro import plugins
 from repro.filters.families import ross_eh
 from repro.models.sensor_network import ExponentialNoise, GaussianNoise, SensorNetwork
 from repro.network import energy_harvesting
@@ -13,10 +14,9 @@ from repro.parameters.load import load_paper
 from repro.run import run
 from repro.simulate import simulated
 from repro.streams import Streams
-from repro.studies import study_module
 
 PAPER = load_paper("params/energy_harvesting.yaml", "workflow/schemas")
-PI_1 = np.array(PAPER.studies["ungm"]["base"].parameters["harvest_transition"])
+PI_1 = np.array(PAPER.studies["ungm"]["base"].parameters.harvest_transition)
 SEED = 7
 BOOTSTRAP = {"resampling": "systematic", "weights": "logarithmic"}
 
@@ -131,7 +131,7 @@ def test_joint_chain_is_the_simulated_chain(capacity):
 
 def test_truth_spreads_as_the_white_noise_acceleration_model():
     log = log_of("rss_2d", 3000, steps=30)
-    truth, acceleration = log.values["/truth"], log.parameters["acceleration_variance"]
+    truth, acceleration = log.values["/truth"], log.parameters.acceleration_variance
     for axis in (0, 1):
         for k in (1, 30):
             for component, wanted in ((2 * axis, k**3 / 3), (2 * axis + 1, k)):
@@ -163,12 +163,12 @@ def test_without_impairments_the_filters_are_one(study):
 def test_saturated_and_lost_measurements_are_what_the_log_says():
     log = log_of("rss_2d", 50)
     of = {topic: values[:, 1:] for topic, values in log.values.items()}
-    sensors, level = log.parameters["sensors"], log.parameters["saturation_level"]
+    sensors, level = log.parameters.sensors, log.parameters.saturation_level
     network = of["/network"].reshape(50, -1, sensors, 4)
     gamma, sent = network[..., 2], network[..., 3]
     ideal, y, z = of["/ideal"], of["/sensor"], of["/received"]
     n = z - np.where(sent == 1, y, 0.0)
-    assert abs(n.var() / log.parameters["channel_variance"] - 1) < 0.05
+    assert abs(n.var() / log.parameters.channel_variance - 1) < 0.05
     clipped = (gamma == 1) & (ideal - y - n < -1e-9)
     assert clipped.any() and abs(gamma.mean() - 0.2) < 0.02
     # a saturated output is -30 and the sensor's noise, whatever the distance
@@ -193,7 +193,7 @@ def test_linear_weights_underflow_and_skip_updates():
 def test_transmission_probability_cancels_where_losses_are_seen():
     """RSS: a lost packet lies near 0 dBm, far from any level, so that any lambda will do (D4)."""
     log = log_of("rss_2d", 10, steps=40)
-    model = study_module("rss_2d").model(log.parameters)
+    model = plugins.study("rss_2d").model(log.parameters)
     settings = BOOTSTRAP | {"particles": 200}
     estimates = []
     for rule in ("lemma1", "exact"):
@@ -204,7 +204,7 @@ def test_transmission_probability_cancels_where_losses_are_seen():
 
 def run_filter(filter_, log):
     """Estimates (trials, steps + 1, n) of a filter that needs no module."""
-    channels = study_module(log.study).channels(log, slice(None), log.parameters)
+    channels = plugins.study(log.study).channels(log, slice(None), log.parameters)
     state = filter_.init(Streams(log.seed, log.study, "filter:bootstrap", log.trials.tolist()))
     estimates = [filter_.mean(state)]
     for k in range(1, log.values["/truth"].shape[1]):

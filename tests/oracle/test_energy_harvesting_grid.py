@@ -3,10 +3,10 @@
 import numpy as np
 from scipy import stats
 
+from repro import plugins
 from repro.models import ungm
 from repro.network import energy_harvesting
 from repro.run import run
-from repro.studies import study_module
 from tests.oracle.test_energy_harvesting import BOOTSTRAP, PI_1, log_of
 
 GRID = np.arange(-20.0, 70.0, 0.06)
@@ -20,20 +20,20 @@ def transition_matrix(k, scale):
 
 
 def grid_prior(parameters, trials):
-    prior = stats.norm(parameters["prior_mean"], np.sqrt(parameters["prior_variance"])).pdf(GRID)
+    prior = stats.norm(parameters.prior_mean, np.sqrt(parameters.prior_variance)).pdf(GRID)
     return np.tile(prior / prior.sum(), (trials, 1))
 
 
 def grid_means(log):
     """Posterior means (trials, steps) under the likelihood (27) on a grid."""
     parameters, z = log.parameters, log.values["/received"]
-    model = study_module("ungm").model(parameters)
+    model = plugins.study("ungm").model(parameters)
     transmission = energy_harvesting.transmission_probability(model.energy, model.steps, "lemma1")
     law, means = grid_prior(parameters, len(z)), []
     for k in range(1, model.steps + 1):
-        law = law @ transition_matrix(k, parameters["process_noise_scale"])
+        law = law @ transition_matrix(k, parameters.process_noise_scale)
         for i in range(model.sensors):
-            level = ungm.level(np.tile(GRID, (len(z), 1)), parameters["sensor_offsets"][i])
+            level = ungm.level(np.tile(GRID, (len(z), 1)), parameters.sensor_offsets[i])
             law *= np.exp(
                 model.noise.log_likelihood(z[:, k, i], level, i, model.saturation, transmission[k])
             )
@@ -60,7 +60,7 @@ def test_ungm_grid_filter():
 def joint_grid_means(log):
     """Posterior means of the model itself, on the grid of (x, E^1, H^1, E^2, H^2)."""
     parameters, z = log.parameters, log.values["/received"]
-    model = study_module("ungm").model(parameters)
+    model = plugins.study("ungm").model(parameters)
     chain = energy_harvesting.joint_transition(model.energy)
     start = energy_harvesting.initial_joint(model.energy)
     pairs = len(start)
@@ -68,11 +68,11 @@ def joint_grid_means(log):
     law = grid_prior(parameters, len(z))[:, :, None, None] * np.multiply.outer(start, start)
     means = []
     for k in range(1, model.steps + 1):
-        moves = transition_matrix(k, parameters["process_noise_scale"])
+        moves = transition_matrix(k, parameters.process_noise_scale)
         law = np.einsum("txab,xy->tyab", law, moves, optimize=True)
         law = np.einsum("tyab,ac,bd->tycd", law, chain, chain, optimize=True)
         for i, axes in enumerate(((..., slice(None), None), (..., None, slice(None)))):
-            level = ungm.level(np.tile(GRID, (len(z), 1)), parameters["sensor_offsets"][i])
+            level = ungm.level(np.tile(GRID, (len(z), 1)), parameters.sensor_offsets[i])
             sent = np.exp(model.noise.log_likelihood(z[:, k, i], level, i, model.saturation, 1.0))
             lost = np.exp(model.noise.log_channel(z[:, k, i]))[:, None]
             likelihood = np.where(empty, lost[:, :, None], sent[:, :, None])

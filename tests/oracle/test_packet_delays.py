@@ -166,7 +166,7 @@ def test_exact_second_moments_are_what_sampling_finds():
     parameters = points()["linear_delays"]["arrival=0.5"].parameters
     log = small_log("linear_delays", "arrival=0.5", trials=4000, steps=20)
     model = linear_delays.model(parameters)
-    x0 = np.array(parameters["true_initial_state"])
+    x0 = np.array(parameters.true_initial_state)
     exact = []
     for name, gains in (("omvf", omvf_gains(model, 20)), ("best_in_form", None)):
         _, runs = run(log, name, OMVF_SETTINGS)
@@ -216,7 +216,7 @@ def emvf_estimate(initial_second_moment, shift):
     """EMVF on one run whose coordinates have another origin; packets 10 and 20 come late."""
     point = points()["wsn_tracking"]["n2-arrival=0.9"]
     parameters = point.parameters
-    start = np.array(parameters["initial_estimate"]) + np.array([*shift, 0, 0, 0])
+    start = np.array(parameters.initial_estimate) + np.array([*shift, 0, 0, 0])
     log = small_log("wsn_tracking", "n2-arrival=0.9", 3, steps=30)
     values = {topic: array.copy() for topic, array in log.values.items()}
     values["/truth"][:, :, :2] += shift

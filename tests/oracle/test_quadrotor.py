@@ -6,10 +6,11 @@ from types import ModuleType
 import numpy as np
 import pytest
 
+from repro import plugins
 from repro.filters import Filter
 from repro.logs import read_log
 from repro.models import quadrotor as model
-from repro.run import filter_module, run, run_filter
+from repro.run import run, run_filter
 from repro.simulate import simulate, simulated
 from repro.statistics.shards import Shards
 from repro.studies import quadrotor as study
@@ -157,9 +158,9 @@ def test_batches_do_not_matter_and_the_future_is_not_seen(name):
 
 
 def test_only_the_true_state_sees_the_truth():
-    assert [n for n in ("true_state", *ON_THE_ESTIMATE) if "truth" in filter_module(n).SEES] == [
-        "true_state"
-    ]
+    assert [
+        n for n in ("true_state", *ON_THE_ESTIMATE) if "truth" in plugins.filter_module(n).SEES
+    ] == ["true_state"]
 
 
 @pytest.mark.parametrize("name", ["iekf", "rbpf_fast"])

@@ -77,7 +77,7 @@ def test_simulated_rates_and_noise(log):
 def test_simulated_motion(log):
     truth = log.values["/truth"].reshape(400, 81, 3, 3)
     on = log.values["/network"][:, :-1, 3:].astype(bool)
-    v, turn = np.array(log.parameters["speed"]), log.parameters["turn_rate"]
+    v, turn = np.array(log.parameters.speed), log.parameters.turn_rate
     x = truth[:, :-1]
     step = truth[:, 1:] - x
     step[..., 0] -= v * np.cos(x[..., 2])
@@ -95,7 +95,7 @@ def test_simulated_motion(log):
 
 def test_truth_starts_on_the_stated_states(log):
     np.testing.assert_array_equal(
-        log.values["/truth"][:, 0], np.tile(np.ravel(log.parameters["initial_states"]), (400, 1))
+        log.values["/truth"][:, 0], np.tile(np.ravel(log.parameters.initial_states), (400, 1))
     )
 
 

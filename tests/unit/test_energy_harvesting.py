@@ -6,7 +6,7 @@ import pytest
 from repro.network import energy_harvesting, saturation
 from repro.network.energy_harvesting import EnergyQueue
 from repro.parameters.load import ParameterError, load_paper
-from tests.conftest import ROOT, SCHEMAS
+from tests.conftest import ROOT
 
 PI_1 = np.array(
     [[0.5, 0.2, 0.2, 0.1], [0.4, 0.4, 0.1, 0.1], [0.3, 0.3, 0.2, 0.2], [0.3, 0.1, 0.2, 0.4]]
@@ -72,4 +72,4 @@ def test_rows_of_the_harvest_must_sum_to_one(tmp_path):
     file = tmp_path / "energy_harvesting.yaml"
     file.write_text(text.replace("[0.3, 0.1, 0.2, 0.4]", "[0.3, 0.1, 0.2, 0.5]", 1))
     with pytest.raises(ParameterError, match=r"harvest_transition: .*row 3 sums to 1\.1"):
-        load_paper(file, SCHEMAS)
+        load_paper(file)

@@ -18,7 +18,7 @@ from repro.parameters.validation import validate
 from repro.parameters.yaml_file import read_yaml
 from repro.run import run_filter
 from repro.simulate import simulate
-from tests.conftest import ROOT, SCHEMAS, SEED, points, registered, small_log
+from tests.conftest import ROOT, SEED, points, registered, small_log
 
 PAPERS = {
     path.stem: path for path in sorted((ROOT / "params").glob("*.yaml")) if path.stem != "run"
@@ -92,7 +92,7 @@ def test_a_parameter_file_with_anything_in_it(paper, choice, tmp_path):
     content = changed(CONTENT[paper], path, value)
     file = tmp_path / "paper.yaml"
     file.write_text(yaml.safe_dump(content), errors="replace")
-    refused_in_one_line(lambda: load_paper(file, SCHEMAS), str(file))
+    refused_in_one_line(lambda: load_paper(file), str(file))
 
 
 @FUZZ
@@ -103,7 +103,7 @@ def test_a_parameter_file_with_anything_in_it(paper, choice, tmp_path):
 def test_a_parameter_file_of_any_text(text, tmp_path):
     file = tmp_path / "paper.yaml"
     file.write_text(text, errors="replace")
-    assert refused_in_one_line(lambda: load_paper(file, SCHEMAS), str(file))
+    assert refused_in_one_line(lambda: load_paper(file), str(file))
 
 
 @FUZZ
@@ -113,7 +113,7 @@ def test_a_parameter_file_of_any_text(text, tmp_path):
     )
 )
 def test_any_config(overrides):
-    refused_in_one_line(lambda: load_run(ROOT / "params/run.yaml", SCHEMAS, overrides), "--config")
+    refused_in_one_line(lambda: load_run(ROOT / "params/run.yaml", overrides), "--config")
 
 
 REGISTERED = registered()
@@ -139,7 +139,7 @@ def test_a_point_with_anything_that_its_schema_allows(study, choice, tmp_path):
     log = tmp_path / "0.mcap"
 
     def work():
-        validate(content, SCHEMAS / f"{study}.schema.yaml", study)
+        validate(content / f"{study}.schema.yaml", study)
         simulate(study, point, parameters, SEED, (0, 2), log)
         run_filter(log, study, point, name, settings, tmp_path / "0.npz")
 

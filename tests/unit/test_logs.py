@@ -8,7 +8,7 @@ from mcap.writer import Writer
 from mcap_ros2.decoder import DecoderFactory
 
 from repro.logs import LogError, read_log, write_log
-from repro.run import read_wanted_log
+from repro.run import read_checked_log
 from tests.conftest import points, small_log
 
 STUDY, POINT = "linear_delays", "arrival=0.5"
@@ -132,7 +132,7 @@ def test_faults_are_named_in_one_line(path, log, tmp_path):
     with pytest.raises(LogError, match="study 'linear_delays', wanted is 'radar'"):
         read_log(path, study="radar")
     with pytest.raises(LogError, match=r"point 'arrival=0\.5', wanted is 'arrival=0\.6'"):
-        read_wanted_log(path, STUDY, "arrival=0.6")
+        read_checked_log(path, STUDY, "arrival=0.6")
     with pytest.raises(LogError, match=r"none\.mcap: the log cannot be read"):
         read_log(tmp_path / "none.mcap")
     write_messages(tmp_path / "odd.mcap", log, encoding="protobuf")
@@ -140,7 +140,7 @@ def test_faults_are_named_in_one_line(path, log, tmp_path):
         read_log(tmp_path / "odd.mcap", log.fields)
     write_messages(tmp_path / "less.mcap", log, leave_out="/sensor")
     with pytest.raises(LogError, match="topic /sensor: missing"):
-        read_wanted_log(tmp_path / "less.mcap", STUDY, POINT)
+        read_checked_log(tmp_path / "less.mcap", STUDY, POINT)
 
 
 def test_a_missing_or_repeated_step_is_named(log, tmp_path):

@@ -4,7 +4,7 @@ import pytest
 import yaml
 
 from repro.parameters.load import ParameterError, load_paper, load_run, sources
-from tests.conftest import ROOT, SCHEMAS
+from tests.conftest import ROOT
 
 PAPER = ROOT / "params" / "packet_delays.yaml"
 LINEAR = ("studies", "linear_delays", "parameters")
@@ -77,7 +77,7 @@ def changed(tmp_path, path, value):
 def test_a_fault_is_one_line_that_names_file_and_key(path, value, said, tmp_path):
     file = changed(tmp_path, path, value)
     with pytest.raises(ParameterError) as error:
-        load_paper(file, SCHEMAS)
+        load_paper(file)
     message = str(error.value)
     assert message.startswith(f"{file}: ") and said in message and "\n" not in message
 
@@ -87,24 +87,24 @@ def test_files_that_are_no_mapping(text, tmp_path):
     file = tmp_path / "x.yaml"
     file.write_text(text)
     with pytest.raises(ParameterError) as error:
-        load_paper(file, SCHEMAS)
+        load_paper(file)
     assert "\n" not in str(error.value)
 
 
 def test_overrides_of_the_run_are_checked():
     run = ROOT / "params" / "run.yaml"
-    assert load_run(run, SCHEMAS, {"trials": 5})["trials"] == 5
+    assert load_run(run, {"trials": 5})["trials"] == 5
     with pytest.raises(ParameterError, match=r"with --config: trials: 0 is too small"):
-        load_run(run, SCHEMAS, {"trials": 0})
+        load_run(run, {"trials": 0})
     with pytest.raises(ParameterError, match=r"unknown key 'trails'; known are root_seed"):
-        load_run(run, SCHEMAS, {"trails": 5})
+        load_run(run, {"trails": 5})
 
 
 def test_points_are_resolved():
-    studies = load_paper(PAPER, SCHEMAS).studies
-    assert studies["linear_delays"]["arrival=1.0"].parameters["arrival_probability"] == 1.0
+    studies = load_paper(PAPER).studies
+    assert studies["linear_delays"]["arrival=1.0"].parameters.arrival_probability == 1.0
     point = studies["wsn_tracking"]["as-printed-n2-arrival=0.9"]
-    assert point.parameters["turn_rate_variance"] == 0.2
+    assert point.parameters.turn_rate_variance == 0.2
     assert point.filters["emvf"]["initial_second_moment"] == "P0"
     base = studies["wsn_tracking"]["n2-arrival=0.9"]
     assert base.filters["emvf"]["initial_second_moment"] == "theorem_2"

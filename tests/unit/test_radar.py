@@ -1,11 +1,11 @@
 import numpy as np
 import pytest
 
+from repro import plugins
 from repro.models import radar
 from repro.models.linear_system import product, root
 from repro.models.sparse import dense, rows
 from repro.simulate import simulated
-from repro.studies import study_module
 from tests.conftest import points
 
 
@@ -54,6 +54,6 @@ def test_the_filters_know_the_input_that_drives_the_truth():
     changes = {"known_input": [0.0, 1.0, 0.2], "manoeuvre_deviation": 0.0, "steps": 9}
     parameters = points()["radar"]["loss=0.5"].parameters | changes
     truth = simulated("radar", "loss=0.5", parameters, 1, np.arange(2)).values["/truth"]
-    predicted = study_module("radar").model(parameters).transition(truth[:, :-1], 0)
+    predicted = plugins.study("radar").model(parameters).transition(truth[:, :-1], 0)
     np.testing.assert_allclose(truth[:, 1:], predicted, rtol=1e-13)
     assert truth[0, -1, 2] == pytest.approx(9 * 0.2)

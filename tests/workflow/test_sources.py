@@ -18,7 +18,7 @@ def test_code_agrees_with_what_a_fresh_process_imports(name, study, point):
 import sys
 import repro.workflow.job
 from repro.run import filter_module, study_module
-filter_module("{name}"), study_module("{study}")
+plugins.filter_module("{name}"), plugins.study("{study}")
 mine = [module for name, module in sys.modules.items() if name.split(".")[0] == "repro"]
 print("\\n".join(sorted(module.__file__ for module in mine)))
 print([name for name in {HEAVY} if name in sys.modules])

@@ -38,21 +38,23 @@ if workflow.is_main_process:
         sys.exit(f"error: {error.filename}: {error.strerror}: Snakemake keeps its records there")
 
 PARAMETER_FILES = sorted(path for path in Path("params").glob("*.yaml") if path.name != "run.yaml")
-RUN = or_exit(load_run, "params/run.yaml", "workflow/schemas", dict(config))
-PAPERS = {path.stem: or_exit(load_paper, path, "workflow/schemas") for path in PARAMETER_FILES}
-STUDIES = {study: points for paper in PAPERS.values() for study, points in paper.studies.items()}
-if "trials" in RUN:
-    for points in STUDIES.values():
-        for point in points.values():
-            point.parameters.update(trials=RUN["trials"])
-SHARDS = RUN["shards"]
-or_exit(check_shards, STUDIES, SHARDS)
-INTO = Path(RUN.get("into", "."))
-LAYOUT, FIGURES = Layout(INTO / "results"), str(INTO / "figures")
+RUN = or_exit(load_run, "params/run.yaml", dict(config))
+PAPERS = {path.stem: or_exit(load_paper, path) for path in PARAMETER_FILES}
+STUDIES = {
+    study: {
+        name: point if RUN.trials is None else point.with_trials(RUN.trials)
+        for name, point in points.items()
+    }
+    for paper in PAPERS.values()
+    for study, points in paper.studies.items()
+}
+ANALYSIS = {study: values for paper in PAPERS.values() for study, values in paper.analysis.items()}
+or_exit(check_shards, STUDIES, RUN.shards)
+LAYOUT, FIGURES = Layout(Path(RUN.into, "results")), str(Path(RUN.into, "figures"))
 or_exit(check_writable, LAYOUT.root)
 or_exit(check_writable, FIGURES)
-REGISTRY = Registry(LAYOUT, STUDIES, SHARDS)
-ENVIRONMENT = "../envs/repro.yaml"
+REGISTRY = Registry(LAYOUT, STUDIES, RUN.shards)
+ENVIRONMENT = str(Path(workflow.basedir, "workflow/envs/repro.yaml"))
 
 
 wildcard_constraints:
@@ -99,15 +101,17 @@ def results_of(studies, requested=False):
     return {
         "root": str(LAYOUT.root),
         "catalogue": REGISTRY.catalogue(*studies, requested=requested),
-        "shards": SHARDS,
+        "shards": RUN.shards,
+        "analysis": {study: ANALYSIS[study] for study in studies},
+        "tolerance": RUN.tolerance,
     }
 
 
 def trial_range(wildcards):
     """First and last + 1 of the trials of a shard."""
-    trials = STUDIES[wildcards.study][wildcards.point].parameters["trials"]
+    trials = STUDIES[wildcards.study][wildcards.point].parameters.trials
     shard = int(wildcards.shard)
-    return shard * trials // SHARDS, (shard + 1) * trials // SHARDS
+    return shard * trials // RUN.shards, (shard + 1) * trials // RUN.shards
 
 
 def studies_of(paper):
@@ -159,9 +163,10 @@ def measured_files(paper):
 
 def user_log(key):
     """What --config says of a log recorded elsewhere: log, study or point."""
-    if key not in RUN:
+    value = getattr(RUN, key)
+    if value is None:
         sys.exit(f"error: --config: '{key}' is missing; give log=PATH study=STUDY point=POINT")
-    return RUN[key]
+    return value
 
 
 def user_log_point():

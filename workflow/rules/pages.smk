@@ -16,14 +16,17 @@ rule assumptions:
                 "parameters": f"params/{paper}.yaml",
                 "published": f"params/published/{paper}.csv",
                 "studies": {
-                    study: {name: point._asdict() for name, point in points.items()}
+                    study: {
+                        name: {"parameters": point.parameters.plain(), "filters": point.filters}
+                        for name, point in points.items()
+                    }
                     for study, points in content.studies.items()
                 },
                 "tables": {study: LAYOUT.table(study) for study in content.studies},
             }
             for paper, content in PAPERS.items()
         },
-        tolerance=RUN["tolerance"],
+        tolerance=RUN.tolerance,
         code=code("repro.pages.assumptions"),
     script:
         "../scripts/assumptions.py"
@@ -67,7 +70,7 @@ rule manifest:
         ENVIRONMENT
     params:
         commit=commit(),
-        seed=RUN["root_seed"],
+        seed=RUN.root_seed,
         code=code("repro.provenance.manifest"),
     script:
         "../scripts/manifest.py"
@@ -93,7 +96,7 @@ rule timings:
     conda:
         ENVIRONMENT
     params:
-        results=str(LAYOUT.root),
+        results=lambda wildcards: str(LAYOUT.root),
     script:
         "../scripts/timings.py"
 
@@ -149,7 +152,7 @@ rule user_log:
         user_log=lambda wildcards: {
             "study": user_log("study"),
             "point": user_log("point"),
-            "parameters": user_log_point().parameters,
+            "parameters": user_log_point().parameters.plain(),
             "settings": user_log_point().filters.get(wildcards.filter, {}),
         },
         code=lambda wildcards: code_digest(
@@ -159,3 +162,17 @@ rule user_log:
         ),
     script:
         "../scripts/own.py"
+
+
+rule catalogue:
+    output:
+        LAYOUT.page("catalogue.json"),
+    log:
+        LAYOUT.job_log("catalogue"),
+    conda:
+        ENVIRONMENT
+    params:
+        filters=REGISTRY.catalogue(*STUDIES, requested=True),
+        code=code("repro.workflow.registry"),
+    script:
+        "../scripts/catalogue.py"

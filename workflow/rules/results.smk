@@ -44,7 +44,6 @@ rule claims:
         ENVIRONMENT
     params:
         results=lambda wildcards: results_of(PAPERS[wildcards.paper].studies),
-        tolerance=RUN["tolerance"],
         code=code("repro.papers.{paper}.claims"),
     script:
         "../scripts/claims.py"
@@ -80,7 +79,7 @@ rule diff:
             }
             for paper in PAPERS
         },
-        tolerance=RUN["tolerance"],
+        tolerance=RUN.tolerance,
         code=code("repro.pages.verdicts"),
     script:
         "../scripts/diff.py"

@@ -11,8 +11,8 @@ rule simulate:
     conda:
         ENVIRONMENT
     params:
-        parameters=lambda wildcards: STUDIES[wildcards.study][wildcards.point].parameters,
-        seed=RUN["root_seed"],
+        parameters=lambda wildcards: STUDIES[wildcards.study][wildcards.point].parameters.plain(),
+        seed=RUN.root_seed,
         trials=trial_range,
         code=code("repro.simulate"),
     script:

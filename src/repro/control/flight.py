@@ -11,6 +11,7 @@ import numpy as np
 
 from repro.control import cascaded_pid
 from repro.models import quadrotor
+from repro.network.channels import Channels
 
 
 class System(NamedTuple):
@@ -24,7 +25,7 @@ class System(NamedTuple):
     range_limit: float  # m from the origin beyond which a flight has left
 
 
-class Flight:
+class Flight(Channels):
     """The channels of a batch of flights.
 
     process (flights, steps, 12), noise (flights, steps + 1, 12) and gamma (flights, steps + 1) are

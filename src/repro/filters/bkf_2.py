@@ -10,14 +10,15 @@ from repro.filters import Filter
 from repro.filters.families import extended_kalman
 from repro.models import Model
 from repro.network.losses import log_odds
+from repro.parameters.settings import MergedHypotheses
 
 LABEL = "BKF-II"
 SEES = ("received",)
 
 
-def build(model: Model, settings: dict) -> Filter:
+def build(model: Model, settings: MergedHypotheses) -> Filter:
     """Setting `prior`: theta (of the loss process), or lambda(k-1) as printed below (11)."""
-    chain, literal = model.network, settings["prior"] == "lambda(k-1)"
+    chain, literal = model.network, settings.prior == "lambda(k-1)"
 
     def weigh(seen, evidence, last):
         # Of lambda(k-1) the log odds are kept: lambda itself would round to 0 or 1.

@@ -9,6 +9,7 @@ from repro.filters.families import minimum_variance
 from repro.models import Model
 from repro.models.sparse import dense
 from repro.network.packet_delays import mean_weights
+from repro.parameters.settings import ExtendedMinimumVariance
 
 LABEL = "EMVF"
 SEES = ("received",)
@@ -23,7 +24,7 @@ class State(NamedTuple):
     degenerate: np.ndarray  # updates left out because their variance was unusable, (trials,)
 
 
-def build(model: Model, settings: dict) -> Filter:
+def build(model: Model, settings: ExtendedMinimumVariance) -> Filter:
     """The filter of (22)-(27). Sees y(k) and p alone.
 
     Settings: `initial_second_moment` (theorem_2, P0, matched), `alpha_rule`, `qbar_sign`, and
@@ -32,18 +33,18 @@ def build(model: Model, settings: dict) -> Filter:
     return build_with(model, settings, realised_delay=None)
 
 
-def build_with(model: Model, settings: dict, realised_delay) -> Filter:
+def build_with(model: Model, settings: ExtendedMinimumVariance, realised_delay) -> Filter:
     """The filter with the innovation of (22); its weights are the means alpha_i.
 
     `realised_delay(seen)` instead gives the delays whose indicators stand in the innovation.
     """
     bound = model.network.bound
-    weights = mean_weights(model.network.arrival_probability, bound, settings["alpha_rule"])
-    matched = settings["initial_second_moment"] == "matched"
+    weights = mean_weights(model.network.arrival_probability, bound, settings.alpha_rule)
+    matched = settings.initial_second_moment == "matched"
     q, r = model.process_covariance, model.measurement_covariance[0, 0]
 
     def initial_second_moment():
-        if settings["initial_second_moment"] == "P0":
+        if settings.initial_second_moment == "P0":
             return model.initial_covariance  # as printed in Sec. 4.2.2
         mean = model.initial_mean
         return model.initial_covariance + np.outer(mean, mean)  # Assumption 2, Theorem 2
@@ -71,7 +72,7 @@ def build_with(model: Model, settings: dict, realised_delay) -> Filter:
         predicted = model.transition(state.estimate, k - 1)  # (23)
         predictions = (predicted, *state.predictions)
         sensors = (seen.sensor, *seen.earlier_sensors)[: len(predictions)]
-        if settings["late_measurement"] == "current sensor":
+        if settings.late_measurement == "current sensor":
             sensors = (seen.sensor,) * len(predictions)
         terms = list(zip(predictions, sensors, strict=True))
         rows = [
@@ -88,7 +89,7 @@ def build_with(model: Model, settings: dict, realised_delay) -> Filter:
             state.second_moment,
             q,
             r,
-            settings["qbar_sign"],
+            settings.qbar_sign,
             spread_of_ranges(weights[: len(ranges), None], ranges) if matched else None,
         )
         correction = update.gain * (seen.received - expected)[:, None]

@@ -12,6 +12,7 @@ import numpy as np
 
 from repro.filters import Filter, emvf
 from repro.models import Model
+from repro.parameters.settings import RealisedIndicators
 
 LABEL = "EMVF, realised alpha"
 SEES = ("received", "delay")
@@ -22,9 +23,9 @@ class State(NamedTuple):
     delay: np.ndarray  # D of the step before, (trials,)
 
 
-def build(model: Model, settings: dict) -> Filter:
+def build(model: Model, settings: RealisedIndicators) -> Filter:
     inner = emvf.build_with(model, settings, realised_delay=lambda seen: seen.delay)
-    printed = settings["indicator_of"] == "k"
+    printed = settings.indicator_of == "k"
 
     def init(streams):
         return State(inner.init(streams), np.zeros(len(streams)))

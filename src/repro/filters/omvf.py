@@ -8,6 +8,7 @@ from repro.filters import Filter
 from repro.filters.families import minimum_variance
 from repro.models import LinearModel
 from repro.network.packet_delays import mean_weights
+from repro.parameters.settings import MinimumVariance
 
 LABEL = "OMVF"
 SEES = ("received",)
@@ -19,10 +20,10 @@ class State(NamedTuple):
     second_moment: np.ndarray  # S(k)
 
 
-def build(model: LinearModel, settings: dict) -> Filter:
+def build(model: LinearModel, settings: MinimumVariance) -> Filter:
     """Settings: `alpha_rule` (Lemma 1), `qbar_sign` (+1 as printed). Sees y(k) and p alone."""
     bound = model.network.bound
-    weights = mean_weights(model.network.arrival_probability, bound, settings["alpha_rule"])
+    weights = mean_weights(model.network.arrival_probability, bound, settings.alpha_rule)
     c, q = model.measurement_row, model.process_covariance
 
     def init(streams):
@@ -45,7 +46,7 @@ def build(model: LinearModel, settings: dict) -> Filter:
             state.second_moment,
             q,
             model.measurement_variance,
-            settings["qbar_sign"],
+            settings.qbar_sign,
         )
         reduced = a - np.outer(update.gain, update.row)  # (13)
         estimate = np.matvec(reduced, state.estimate) + update.gain * seen.received[:, None]  # (6)

@@ -12,6 +12,7 @@ from repro.filters import Filter
 from repro.filters.families import particle_filter, ross_eh
 from repro.models.sensor_network import SensorNetwork
 from repro.network.energy_harvesting import initial_joint, joint_chain, joint_transition
+from repro.parameters.settings import JointBootstrap
 
 LABEL = "PF-ROSS-EH, joint"
 SEES = ("received",)
@@ -23,7 +24,7 @@ class State(NamedTuple):
     belief: np.ndarray  # law of (E, H) by sensor and particle, (trials, sensors, pairs, particles)
 
 
-def build(model: SensorNetwork, settings: dict) -> Filter:
+def build(model: SensorNetwork, settings: JointBootstrap) -> Filter:
     """Settings: `particles`, `resampling`."""
     chain, start = joint_transition(model.energy), initial_joint(model.energy)
     visited = joint_chain(model.energy, model.steps).any(axis=0).ravel()  # others never happen
@@ -31,14 +32,14 @@ def build(model: SensorNetwork, settings: dict) -> Filter:
     empty = np.nonzero(visited)[0] < len(model.energy.harvest_transition)  # E = 0
 
     def init(streams):
-        particles = model.draw_prior(streams, settings["particles"])
-        shape = (len(streams), model.sensors, len(start), settings["particles"])
+        particles = model.draw_prior(streams, settings.particles)
+        shape = (len(streams), model.sensors, len(start), settings.particles)
         belief = np.broadcast_to(start[:, None], shape)
         return State(particle_filter.equally_weighted(particles, streams), belief)
 
     def step(state, k, seen):
         cloud, z = state.cloud, seen.received
-        chosen = particle_filter.parents(cloud.weights, cloud.streams, settings["resampling"])
+        chosen = particle_filter.parents(cloud.weights, cloud.streams, settings.resampling)
         particles = model.move(particle_filter.taken(cloud.particles, chosen), k, cloud.streams)
         belief = np.take_along_axis(state.belief, chosen[:, None, None, :], axis=-1)
         belief = chain.T @ belief

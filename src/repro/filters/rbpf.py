@@ -3,10 +3,11 @@
 from repro.filters import Filter
 from repro.filters.families import rao_blackwell
 from repro.models import Model
+from repro.parameters.settings import RaoBlackwell
 
 LABEL = "RBPF"
 SEES = ("received",)
 
 
-def build(model: Model, settings: dict) -> Filter:
+def build(model: Model, settings: RaoBlackwell) -> Filter:
     return rao_blackwell.build(model, settings, distinct=False)

@@ -5,10 +5,11 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
+from repro import plugins
 from repro.errors import ReproError
 from repro.logs import read_foreign
 from repro.run import run
-from repro.studies import open_loop_module
+from repro.studies import ClosedLoop, Study
 from repro.tables.csv_file import write_csv
 
 
@@ -17,8 +18,10 @@ def run_user_log(log_path: str, user_log: dict, name: str, path: str | Path) -> 
 
     `user_log` has `study`, `point`, the point's `parameters` and the filter's `settings`.
     """
-    study, parameters = user_log["study"], user_log["parameters"]
-    fields = open_loop_module(study).topics(parameters)
+    study = user_log["study"]
+    scenario = open_loop(study)
+    parameters = scenario.Parameters.checked(user_log["parameters"], f"{study}: parameters")
+    fields = scenario.topics(parameters)
     log = read_foreign(log_path, fields, study, user_log["point"], parameters)
     estimate, runs = run(log, name, user_log["settings"])
     trials, steps, n = estimate.shape
@@ -35,3 +38,14 @@ def run_user_log(log_path: str, user_log: dict, name: str, path: str | Path) -> 
     if "/truth" in log.values:
         columns |= {f"error_{s}": runs.error[:, :, i].ravel() for i, s in enumerate(states)}
     write_csv(pd.DataFrame(columns), path)
+
+
+def open_loop(name: str) -> Study:
+    """The study of a name whose logs have a truth; raises ReproError for a closed loop."""
+    scenario = plugins.study(name)
+    if isinstance(scenario, ClosedLoop):
+        raise ReproError(
+            f"{name}: a closed loop, in which every filter has its own truth; its logs hold the "
+            "disturbances, and results/flights/ what each filter flew"
+        )
+    return scenario

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
+from repro import plugins
 from repro.atomic import atomic_write
 from repro.errors import ReproError
 from repro.logs import Log, write_log
-from repro.studies import study_module
+from repro.studies import ClosedLoop
 from repro.tables.results import Results
 
 LAYOUT = "foxglove-layout.json"  # the layout as an attachment of the view
@@ -27,7 +28,7 @@ def trial_view(results: Results, study: str, point: str, trial: int) -> Log:
         raise ReproError(f"trial {trial}: {study}, {point} has the trials 0 to {last}; name one")
     at = int(np.flatnonzero(log.trials == trial)[0])
     place = slice(at, at + 1)
-    add = _add_flight if hasattr(study_module(study), "flight") else _add_estimate
+    add = _add_flight if isinstance(plugins.study(study), ClosedLoop) else _add_estimate
     view = _only(log, place)
     for filter_ in results.filters(study, point):
         view = add(view, results, filter_, place)
@@ -65,11 +66,11 @@ def write_view(
 ) -> None:
     """Write the view and its Foxglove layout, which the view also carries as an attachment."""
     view = trial_view(results, study, point, trial)
-    module = study_module(study)
-    drawn = json.dumps(foxglove_layout(view, getattr(module, "TRAJECTORY", ())), indent=1)
+    scenario = plugins.study(study)
+    drawn = json.dumps(foxglove_layout(view, scenario.trajectory), indent=1)
     with atomic_write(layout) as part:
         part.write_text(drawn + "\n")
-    write_log(path, view, module.period(view.parameters), {LAYOUT: drawn.encode()})
+    write_log(path, view, scenario.period(view.parameters), {LAYOUT: drawn.encode()})
 
 
 def foxglove_layout(view: Log, trajectory: tuple[tuple[str, str], ...]) -> dict:

@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -29,7 +30,7 @@ COUNTERS = ("trial", "step")
 
 
 def read_foreign(
-    path: str | Path, fields: dict[str, tuple[str, ...]], study: str, point: str, parameters: dict
+    path: str | Path, fields: dict[str, tuple[str, ...]], study: str, point: str, parameters: Any
 ) -> Log:
     """Read the wanted topics and fields; other topics and fields may stand beside them.
 

@@ -1,7 +1,7 @@
 """Layout of the messages and of the records around them, shared by writer and reader."""
 
 import struct
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -30,7 +30,7 @@ class Log(NamedTuple):
     study: str
     point: str
     seed: int
-    parameters: dict
+    parameters: Any  # of the study's own type, a PointParameters
     trials: np.ndarray  # numbers of the trials, ascending
     fields: dict[str, tuple[str, ...]]  # of each topic
     values: dict[str, np.ndarray]

@@ -4,16 +4,19 @@ from pathlib import Path
 
 import numpy as np
 
+from repro import plugins
 from repro.logs.content import Content, arrange
 from repro.logs.format import (
     CDR_LITTLE_ENDIAN,
     ENCODING,
+    PARAMETERS,
     PROVENANCE,
     Log,
     LogError,
     record_dtype,
     schema_text,
 )
+from repro.parameters.values import PointParameters
 
 
 def read_log(
@@ -52,11 +55,17 @@ def read_log(
         study=content.provenance["study"],
         point=content.provenance["point"],
         seed=int(content.provenance["root_seed"]),
-        parameters=content.parameters,
+        parameters=_parameters(content),
         trials=trials,
         fields=dict(topics),
         values=values,
     )
+
+
+def _parameters(content: Content) -> PointParameters:
+    """The parameters that the log was simulated with, as its study types them."""
+    study = plugins.study(content.provenance["study"])
+    return study.Parameters.checked(content.parameters, f"{content.path}: {PARAMETERS}")
 
 
 def _own_fields(content: Content) -> dict[str, tuple[str, ...]]:

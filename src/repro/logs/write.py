@@ -46,7 +46,7 @@ def write_log(
                 "period_s": repr(period),
             },
         )
-        parameters = json.dumps(log.parameters, sort_keys=True, indent=1)
+        parameters = json.dumps(log.parameters.plain(), sort_keys=True, indent=1)
         texts = {PARAMETERS: parameters.encode()} | (attachments or {})
         for name, text in texts.items():
             container.add_attachment(name, "application/json", text)

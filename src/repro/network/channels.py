@@ -1,5 +1,8 @@
 """What a filter sees: the channels that it declares, and nothing else."""
 
+from abc import ABC, abstractmethod
+from typing import Any, ClassVar
+
 import numpy as np
 
 from repro.errors import ReproError
@@ -9,31 +12,48 @@ from repro.errors import ReproError
 ALWAYS_SEEN = ("sensor", "earlier_sensors", "input")
 
 
-class Recorded:
-    """Channels of an open loop: arrays (trials, steps, ...) as the log holds them.
+class Channels(ABC):
+    """What the network offers to a batch of trials, step by step."""
 
-    A closed loop may have besides
-        ON_PREDICTION       True: `at` gets the prediction for step k, not the last estimate
-        over(k, estimate)   (trials,): which trials are over; they keep their last values
-        flown()             topics of the log of what was flown
-    """
+    on_prediction: ClassVar[bool] = (
+        False  # `at` gets the prediction for step k, not the last estimate
+    )
+
+    @abstractmethod
+    def at(self, k: int, fed_back: np.ndarray) -> dict[str, Any]:
+        """The channels of step k, (trials, ...) each; `fed_back` is the filter's estimate."""
+
+    def over(self, k: int, estimate: np.ndarray) -> np.ndarray | None:
+        """Which trials are over at step k, (trials,): they keep their last values; None if none."""
+        return None
+
+    def record(self) -> dict[str, np.ndarray]:
+        """What the loop decided besides, (trials, ...) each."""
+        return {}
+
+    def flown(self) -> dict[str, np.ndarray]:
+        """Topics of the log of what was flown."""
+        return {}
+
+
+class Recorded(Channels):
+    """Channels of an open loop: arrays (trials, steps, ...) as the log holds them."""
 
     def __init__(self, **channels: np.ndarray):
         self._channels = channels
 
-    def at(self, k: int, fed_back: np.ndarray) -> dict:
-        """What the network offers at step k; here it does not depend on the filter."""
+    def at(self, k: int, fed_back: np.ndarray) -> dict[str, Any]:
         return {name: channel[:, k] for name, channel in self._channels.items()}
-
-    def record(self) -> dict:
-        """What the loop decided besides: nothing."""
-        return {}
 
 
 class Seen:
     """The declared channels of one step as attributes; any other name is refused in one line."""
 
-    def __init__(self, name: str, declared: tuple[str, ...], offered: dict):
+    sensor: Any
+    earlier_sensors: Any
+    input: Any
+
+    def __init__(self, name: str, declared: tuple[str, ...], offered: dict[str, Any]):
         self._name = name
         for channel in declared:
             if channel not in offered:
@@ -46,7 +66,7 @@ class Seen:
         for channel in declared:
             setattr(self, channel, offered[channel])
 
-    def __getattr__(self, channel: str):
+    def __getattr__(self, channel: str) -> Any:
         raise ReproError(
             f"filter {self._name}: reads the channel '{channel}', which its SEES does not declare"
         )

@@ -25,10 +25,10 @@ class Losses(NamedTuple):
 
 def losses(parameters: dict) -> Losses:
     """The chain of a study's parameters; a Markov chain starts in its stationary distribution."""
-    if parameters["loss_process"] == "Bernoulli":
-        theta = 1 - parameters["loss_probability"]
+    if parameters.loss_process == "Bernoulli":
+        theta = 1 - parameters.loss_probability
         return Losses(theta, theta, theta)
-    p, q = parameters["loss_after_arrival"], parameters["arrival_after_loss"]
+    p, q = parameters.loss_after_arrival, parameters.arrival_after_loss
     return Losses(first=q / (p + q), after_loss=q, after_arrival=1 - p)
 
 

@@ -7,6 +7,8 @@ module hands the filter the one that it would have received, without telling it 
 
 import numpy as np
 
+from repro.network.channels import Channels
+
 
 def nearest(positions: np.ndarray, target: np.ndarray) -> np.ndarray:
     """Index of the nearest sensor; positions (trials, sensors, 2), target (trials, 2)."""
@@ -14,7 +16,7 @@ def nearest(positions: np.ndarray, target: np.ndarray) -> np.ndarray:
     return np.argmin((offset**2).sum(axis=-1), axis=-1)
 
 
-class ScheduledRanges:
+class ScheduledRanges(Channels):
     """The channel of a batch of trials whose sensor is tasked by the filter's prediction.
 
     positions (trials, sensors, 2) in m; ranges (trials, steps, sensors) in m; origin and
@@ -23,7 +25,7 @@ class ScheduledRanges:
     `true_positions` (trials, steps, 2) schedules on the truth instead (a reading).
     """
 
-    ON_PREDICTION = True
+    on_prediction = True
 
     def __init__(
         self, positions, ranges, origin, without_packet, offered, first, bound, true_positions=None

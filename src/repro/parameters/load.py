@@ -1,13 +1,19 @@
 """Parameters: every value with its source, validated, and resolved for each point of a study."""
 
 import itertools
+from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
+from types import SimpleNamespace
+from typing import Annotated, Any, NamedTuple
 
 import yaml
+from pydantic import Field
 
-from repro.parameters.validation import validate
-from repro.parameters.yaml_file import ParameterError, read_yaml
+from repro import plugins
+from repro.parameters.paper_file import Family, PaperFile, RunFile, StudySection, every_value, plain
+from repro.parameters.settings import checked_settings
+from repro.parameters.values import ParameterError, PointParameters, Positive, Values
+from repro.parameters.yaml_file import read_yaml
 
 # Points whose names begin so take minutes: they run only where they are asked for.
 ON_REQUEST = "sensitivity-"
@@ -19,119 +25,138 @@ def on_request(point: str) -> bool:
 
 
 class Point(NamedTuple):
-    """The plain values of one point of a study, sources stripped."""
+    """The values of one point of a study, sources stripped."""
 
-    parameters: dict
-    filters: dict[str, dict]  # settings by filter
+    parameters: PointParameters  # of the study's own type
+    filters: dict[str, dict[str, Any]]  # settings by filter, as JSON has them
+
+    def with_trials(self, trials: int) -> "Point":
+        """The same point with another number of trials."""
+        return self._replace(parameters=self.parameters.model_copy(update={"trials": trials}))
 
 
 class Paper(NamedTuple):
+    """One paper's parameters."""
+
     name: str
     title: str
     authors: str
     studies: dict[str, dict[str, Point]]  # study -> point -> values
-    examples: dict[str, dict]
+    analysis: dict[str, dict[str, Any]]  # study -> thresholds of its metrics and claims
+    examples: dict[str, dict[str, Any]]
 
 
-def load_paper(path: str | Path, schemas: str | Path) -> Paper:
+class Run(Values):
+    """What holds for every study, with what --config may add."""
+
+    root_seed: Annotated[int, Field(ge=0, description="seed of every random stream")]
+    shards: Annotated[
+        int, Field(ge=1, description="jobs that the trials of a point are split into")
+    ]
+    tolerance: Annotated[Positive, Field(description="standard errors that decide a verdict")]
+    trials: Annotated[int, Field(ge=1, description="trials of every point")] | None = None
+    into: Annotated[str, Field(pattern=r"^[A-Za-z0-9_./-]+$")] = "."
+    log: str | None = None
+    study: str | None = None
+    point: str | None = None
+
+
+def load_paper(path: str | Path) -> Paper:
     """Read, validate and resolve one paper's YAML. Raises ParameterError, in one line."""
-    content = read_yaml(path)
-    validate(content, Path(schemas) / "params.schema.yaml", str(path))
-    studies = {}
-    for name, study in content["studies"].items():
-        schema = Path(schemas) / f"{name}.schema.yaml"
-        if not schema.exists():
-            raise ParameterError(f"{path}: studies.{name}: no such study; add {schema}")
+    content = PaperFile.checked(read_yaml(path), str(path))
+    studies: dict[str, dict[str, Point]] = {}
+    analysis = {}
+    for name, section in content.studies.items():
+        where = f"{path}: studies.{name}"
+        try:
+            study = plugins.study(name)
+        except plugins.ReproError as error:
+            raise ParameterError(f"{where}: {error}") from None
+        thresholds = study.Analysis.checked(plain(section.analysis), f"{where}.analysis")
+        analysis[name] = thresholds.plain()
         studies[name] = {}
-        for family in study["points"]:
-            for point, values in _resolved(study, family, f"{path}: studies.{name}"):
-                where = f"{path}: studies.{name}.points.{point}"
+        for family in section.points:
+            for point, parameters, filters in _resolved(section, family, where):
+                here = f"{where}.points.{point}"
                 if point in studies[name]:
-                    raise ParameterError(f"{where}: two points have this name; rename one")
-                validate(values._asdict(), schema, where)
-                studies[name][point] = values
-    examples = {name: _stripped(values) for name, values in content.get("examples", {}).items()}
-    return Paper(content["paper"], content["title"], content["authors"], studies, examples)
+                    raise ParameterError(f"{here}: two points have this name; rename one")
+                studies[name][point] = Point(
+                    study.Parameters.checked(parameters, f"{here}: parameters"),
+                    {f: checked_settings(f, s, f"{here}: filters.{f}") for f, s in filters.items()},
+                )
+    examples = {name: plain(entries) for name, entries in content.examples.items()}
+    return Paper(content.paper, content.title, content.authors, studies, analysis, examples)
 
 
-def load_run(path: str | Path, schemas: str | Path, overrides: dict) -> dict:
-    """What holds for every study, with `--config` overrides (trials, shards, into)."""
-    content = read_yaml(path)
-    validate(content, Path(schemas) / "params.schema.yaml", str(path), part="run")
-    values = _stripped(content) | overrides
-    validate(values, Path(schemas) / "run.schema.yaml", f"{path} with --config")
-    return values
+def load_run(path: str | Path, overrides: dict[str, Any]) -> Run:
+    """What holds for every study, with `--config` overrides (trials, shards, into ...)."""
+    values = plain(dict(RunFile.checked(read_yaml(path), str(path))))
+    return Run.checked(values | overrides, f"{path} with --config")
 
 
 def check_shards(studies: dict[str, dict[str, Point]], shards: int) -> None:
     """Raise ParameterError unless every point has a trial for each shard."""
     for study, points in studies.items():
         for name, point in points.items():
-            if shards > point.parameters["trials"]:
+            if shards > point.parameters.trials:
                 raise ParameterError(
-                    f"shards: {shards} are more than the {point.parameters['trials']} trials of "
+                    f"shards: {shards} are more than the {point.parameters.trials} trials of "
                     f"{study}, point {name}; fix params/run.yaml or --config"
                 )
 
 
-def sources(path: str | Path) -> list[dict]:
+def sources(path: str | Path) -> list[dict[str, str]]:
     """One row a value of a parameter file: where it stands, the value, its source, and why."""
-    content = read_yaml(path)
-    rows = []
+    content = PaperFile.checked(read_yaml(path), str(path))
+    return [
+        {
+            "paper": content.paper,
+            "study": study,
+            "point": point,
+            "parameter": name,
+            "value": yaml.safe_dump(value, default_flow_style=True).removesuffix("\n...\n").strip(),
+            "source": origin.source,
+            "why": origin.why or "",
+        }
+        for study, point, name, value, origin in every_value(content)
+    ]
 
-    def add(study, point, name, entry):
-        rows.append(
-            {
-                "paper": content["paper"],
-                "study": study,
-                "point": point,
-                "parameter": name,
-                "value": yaml.safe_dump(entry["value"], default_flow_style=True)
-                .removesuffix("\n...\n")
-                .strip(),
-                "source": entry["source"],
-                "why": entry.get("why", ""),
-            }
+
+def _resolved(
+    section: StudySection, family: Family, where: str
+) -> Iterator[tuple[str, dict, dict]]:
+    """Name, parameters and settings of each point: base values, then `set`, then the sweep."""
+    base = plain(section.parameters) | family.set
+    settings = {name: plain(values) for name, values in section.filters.items()}
+    for name, changes in family.filters.items():
+        _check_known(name, settings, f"{where}: {family.name}")
+        settings[name] = settings[name] | changes
+    for values in itertools.product(*family.sweep.values()):
+        parameters, filters = dict(base), {name: dict(own) for name, own in settings.items()}
+        for keys, value in zip(family.sweep, values, strict=True):
+            for key in keys.replace(" ", "").split(","):
+                filter_, dot, setting = key.partition(".")
+                if dot:
+                    _check_known(filter_, settings, f"{where}: {family.name}: sweep")
+                    filters[filter_][setting] = value
+                else:
+                    parameters[key] = value
+        yield _name(family.name, parameters, filters, where), parameters, filters
+
+
+def _check_known(filter_: str, settings: dict[str, dict], where: str) -> None:
+    if filter_ not in settings:
+        raise ParameterError(
+            f"{where}: no settings of a filter '{filter_}'; known are {', '.join(settings)}"
         )
 
-    for study, values in content["studies"].items():
-        for name, entry in values["parameters"].items():
-            add(study, "every", name, entry)
-        for filter_, settings in values.get("filters", {}).items():
-            for name, entry in settings.items():
-                add(study, "every", f"{filter_}.{name}", entry)
-        for family in values["points"]:
-            said = {"source": family["source"], "why": family.get("why", "")}
-            changes = family.get("sweep", {}) | family.get("set", {})
-            for filter_, settings in family.get("filters", {}).items():
-                changes |= {f"{filter_}.{name}": value for name, value in settings.items()}
-            for name, value in changes.items():
-                add(study, family["name"], name, said | {"value": value})
-    for example, values in content.get("examples", {}).items():
-        for name, entry in values.items():
-            add(example, "every", name, entry)
-    return rows
 
-
-def _stripped(entries: dict) -> dict:
-    return {name: entry["value"] for name, entry in entries.items()}
-
-
-def _resolved(study: dict, family: dict, where: str):
-    """Name and values of each point of a family: base values, then `set`, then the sweep."""
-    base = _stripped(study["parameters"]) | family.get("set", {})
-    filters = {name: _stripped(values) for name, values in study.get("filters", {}).items()}
-    for name, settings in family.get("filters", {}).items():
-        if name not in filters:
-            raise ParameterError(f"{where}: {family['name']}: no settings of a filter '{name}'")
-        filters[name] = filters[name] | settings
-    sweep = family.get("sweep", {})
-    for values in itertools.product(*sweep.values()):
-        parameters = base | dict(zip(sweep, values, strict=True))
-        try:
-            point = family["name"].format(**parameters)
-        except (KeyError, IndexError, ValueError, AttributeError) as error:
-            raise ParameterError(
-                f"{where}: point name '{family['name']}' names no parameter: {error}"
-            ) from None
-        yield point, Point(parameters, filters)
+def _name(pattern: str, parameters: dict, filters: dict, where: str) -> str:
+    """The name of a point: {parameter} and {filter.setting} are filled in."""
+    named = {name: SimpleNamespace(**values) for name, values in filters.items()}
+    try:
+        return pattern.format(**named | parameters)
+    except (KeyError, IndexError, ValueError, AttributeError) as error:
+        raise ParameterError(
+            f"{where}: point name '{pattern}' names no parameter: {error}"
+        ) from None

@@ -4,14 +4,10 @@ from pathlib import Path
 
 import yaml
 
-from repro.errors import ReproError
+from repro.parameters.values import ParameterError
 
 Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # the same language, ten times faster
 LARGEST = 1e18  # of a number; above it an integer is none of NumPy's
-
-
-class ParameterError(ReproError):
-    """A parameter file that says something it must not, or lacks something it must say."""
 
 
 def read_yaml(path: str | Path) -> dict:

@@ -9,8 +9,8 @@ matplotlib.use("Agg")
 from matplotlib import pyplot, ticker
 from matplotlib.figure import Figure
 
+from repro import plugins
 from repro.atomic import atomic_write
-from repro.run import filter_module
 from repro.tables.results import Catalogue
 
 # Okabe and Ito's palette: told apart with any kind of colour vision.
@@ -53,7 +53,7 @@ def table(rows, heads: tuple[str, ...], widths: tuple[float, ...]) -> Figure:
 
 def label(filter_: str) -> str:
     """The name of a filter in tables and figures."""
-    return filter_module(filter_).LABEL
+    return plugins.filter_module(filter_).LABEL
 
 
 def look(catalogue: Catalogue, study: str, filter_: str) -> dict:

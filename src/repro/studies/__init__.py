@@ -1,40 +1,81 @@
 """The studies: one file each, which joins a model, a network, a log and the paper's metrics.
 
-A study module gives
-    topics(parameters)              fields of each topic of its logs
-    period(parameters)              seconds of log clock a step
-    simulate(parameters, streams)   values of each topic; streams(role) gives that role's streams
-    model(parameters)               what a filter knows of system and network
-    channels(log, trials, parameters)   what a filter may see of a slice of trials
-    error(log, estimate)            error of every state component, (trials, steps, n)
-    rows(shards), curves(shards)    (metric, component, Statistic) for the tables and over k
-    lost(runs)                      which runs have lost what they track, or None
-and if it likes
-    first_step(parameters)          0 if y(0) is used, without a prediction before it; else 1
-    TRIALS_A_BLOCK                  how many systems the runner puts side by side
-    CLAIMED_VARIANCE                False: the variances that the filters claim are not kept
-    INFERRED_ARRIVALS               True: what the filters infer of the arrivals is kept
-    TRAJECTORY                      pairs of fields of /truth that a view draws over one another
-    flight(log, estimate, runs)     of a closed loop: the log of what was flown
+A study's module gives STUDY, an object of a class below, and the class of its parameters.
 """
 
-from importlib import import_module
-from types import ModuleType
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator
+from typing import Any, ClassVar
 
-from repro.errors import ReproError
+import numpy as np
+
+from repro.logs import Log
+from repro.network.channels import Channels
+from repro.parameters.values import NoAnalysis, PointParameters, Values
+from repro.statistics.metrics import Statistic
+from repro.statistics.runs import Runs
+from repro.statistics.shards import Shards
+from repro.streams import Streams
+
+Fields = dict[str, tuple[str, ...]]  # topic -> names of its fields
+StreamsOf = Callable[[str], Streams]  # role -> its streams
+Rows = Iterator[tuple[str, str, Statistic]]  # metric, component, statistic over the trials
 
 
-def open_loop_module(name: str) -> ModuleType:
-    """The module of a study whose logs have a truth; raises ReproError for a closed loop."""
-    module = study_module(name)
-    if hasattr(module, "flight"):
-        raise ReproError(
-            f"{name}: a closed loop, in which every filter has its own truth; its logs hold the "
-            "disturbances, and results/flights/ what each filter flew"
-        )
-    return module
+class Study(ABC):
+    """A scenario: what is simulated, what a filter may know and see of it, how it is judged."""
+
+    Parameters: ClassVar[type[PointParameters]]
+    Analysis: ClassVar[type[Values]] = NoAnalysis  # thresholds of its metrics and claims
+    systems_per_block: ClassVar[int] = 250  # trials times particles that run side by side
+    trajectory: ClassVar[tuple[tuple[str, str], ...]] = ()  # fields of /truth: y over x
+    keeps_claimed_variance: ClassVar[bool] = True  # the variances that the filters claim
+    keeps_inferred_arrivals: ClassVar[bool] = False  # what the filters infer of the arrivals
+
+    @abstractmethod
+    def topics(self, parameters: Any) -> Fields:
+        """Fields of each topic of the logs."""
+
+    @abstractmethod
+    def simulate(self, parameters: Any, streams: StreamsOf) -> dict[str, np.ndarray]:
+        """Values of each topic, (trials, steps, fields); streams(role) are a role's streams."""
+
+    @abstractmethod
+    def model(self, parameters: Any) -> Any:
+        """What a filter knows of system and network."""
+
+    @abstractmethod
+    def channels(self, log: Log, trials: slice) -> Channels:
+        """What a filter may see of a slice of the log's trials."""
+
+    @abstractmethod
+    def rows(self, shards: Shards, analysis: Any) -> Rows:
+        """The numbers of the study's table."""
+
+    @abstractmethod
+    def curves(self, shards: Shards) -> Rows:
+        """The statistics over k."""
+
+    def period(self, parameters: Any) -> float:
+        """Seconds of log clock a step; 1 where the paper gives no unit of time."""
+        return 1.0
+
+    def first_step(self, parameters: Any) -> int:
+        """0 if y(0) is used, without a prediction before it; else 1."""
+        return 1
+
+    def error(self, log: Log, estimate: np.ndarray) -> np.ndarray:
+        """Error of every state component, (trials, steps, n)."""
+        return estimate - log.values["/truth"]
+
+    def lost(self, runs: Runs, analysis: Any) -> np.ndarray | None:
+        """Which runs have lost what they track, (trials,); None where none can."""
+        return None
 
 
-def study_module(name: str) -> ModuleType:
-    """The module of a study by its name."""
-    return import_module(f"repro.studies.{name}")
+class ClosedLoop(Study):
+    """A study in which the filters act: each has its own truth under the same disturbances."""
+
+    @abstractmethod
+    def flight(self, log: Log, estimate: np.ndarray, runs: Runs) -> Log:
+        """The log of what happened on a filter's estimates (trials, steps, n)."""

@@ -1,4 +1,5 @@
-"""Dead-band censoring (Song et al., (4); Table I, Figures 2-8)."""
+"""Dead-band censoring [censored_network (4), Table I, Figs. 2-8]."""
 
-# The two studies differ in their parameters alone.
-from repro.studies.families.censored_network import *
+from repro.studies.families.censored_network import CensoredNetwork
+
+STUDY = CensoredNetwork()

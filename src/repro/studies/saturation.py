@@ -1,4 +1,5 @@
-"""Saturation censoring (Song et al., (5); Table II, Figures 9-15)."""
+"""Saturation censoring [censored_network (5), Table II, Figs. 9-15]."""
 
-# The two studies differ in their parameters alone.
-from repro.studies.families.censored_network import *
+from repro.studies.families.censored_network import CensoredNetwork
+
+STUDY = CensoredNetwork()

@@ -1,75 +1,79 @@
 """The scalar example with Gamma and exponential noises (Song et al., Sec. IV-A; Figure 2)."""
 
+from types import MappingProxyType
+from typing import Annotated
+
 import numpy as np
+from pydantic import Field
 
 from repro.models import ungm
 from repro.models.sensor_network import ExponentialNoise, SensorNetwork
+from repro.parameters.values import Positive
+from repro.studies import Fields, StreamsOf
 from repro.studies.families import harvesting_sensors
-from repro.studies.families.harvesting_sensors import channels, error
-
-__all__ = ["channels", "error"]
-
-COMPONENTS = {"state": (0,)}
-TRIALS_A_BLOCK = 200
+from repro.studies.families.harvesting_sensors import HarvestingParameters, HarvestingStudy
 
 
-def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
-    return harvesting_sensors.topics(("x",), len(parameters["sensor_offsets"]))
+class Parameters(HarvestingParameters):
+    """Values of one point."""
+
+    sensor_offsets: Annotated[tuple[float, ...], Field(min_length=1)]
+    process_noise_scale: Positive
+    noise_mean: Positive
+    true_initial_state: float
+    prior_mean: float
+    prior_variance: Positive
 
 
-def period(parameters: dict) -> float:
-    return 1.0  # the paper gives its example no unit of time
+def noise(parameters: Parameters) -> ExponentialNoise:
+    return ExponentialNoise(parameters.noise_mean, len(parameters.sensor_offsets))
 
 
-def noise(parameters: dict) -> ExponentialNoise:
-    return ExponentialNoise(parameters["noise_mean"], len(parameters["sensor_offsets"]))
+class Ungm(HarvestingStudy):
+    """The univariate nonstationary growth model."""
+
+    Parameters = Parameters
+    systems_per_block = 200
+    components = MappingProxyType({"state": (0,)})
+
+    def topics(self, parameters: Parameters) -> Fields:
+        return harvesting_sensors.topics(("x",), len(parameters.sensor_offsets))
+
+    def simulate(self, parameters: Parameters, streams: StreamsOf) -> dict[str, np.ndarray]:
+        steps, offsets = parameters.steps, parameters.sensor_offsets
+        w = ungm.gamma_noise(streams("process"), parameters.process_noise_scale, steps)
+        truth = np.empty((len(w), steps + 1))
+        truth[:, 0] = parameters.true_initial_state
+        for k in range(steps):
+            truth[:, k + 1] = ungm.transition(truth[:, k], k) + w[:, k]  # (1)
+        levels = np.stack([ungm.level(truth, offset) for offset in offsets], axis=1)
+        return harvesting_sensors.measured(
+            truth[:, :, None], levels, parameters, noise(parameters), streams
+        )
+
+    def model(self, parameters: Parameters) -> SensorNetwork:
+        offsets, mean = parameters.sensor_offsets, parameters.prior_mean
+        deviation = np.sqrt(parameters.prior_variance)
+
+        def draw_prior(streams, particles):
+            return mean + deviation * streams.standard_normal(1, particles)
+
+        def move(x, k, streams):
+            following = ungm.transition(x, k - 1)
+            following += ungm.gamma_noise(streams, parameters.process_noise_scale, *x.shape[1:])
+            return following
+
+        return SensorNetwork(
+            initial_mean=np.array([mean]),
+            sensors=len(offsets),
+            steps=parameters.steps,
+            draw_prior=draw_prior,
+            move=move,
+            level=lambda x, i: ungm.level(x[:, 0], offsets[i]),
+            noise=noise(parameters),
+            saturation=harvesting_sensors.saturation_of(parameters),
+            energy=harvesting_sensors.queue(parameters),
+        )
 
 
-def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
-    steps, offsets = parameters["steps"], parameters["sensor_offsets"]
-    w = ungm.gamma_noise(streams("process"), parameters["process_noise_scale"], steps)
-    truth = np.empty((len(w), steps + 1))
-    truth[:, 0] = parameters["true_initial_state"]
-    for k in range(steps):
-        truth[:, k + 1] = ungm.transition(truth[:, k], k) + w[:, k]  # (1)
-    levels = np.stack([ungm.level(truth, offset) for offset in offsets], axis=1)
-    return harvesting_sensors.measured(
-        truth[:, :, None], levels, parameters, noise(parameters), streams
-    )
-
-
-def model(parameters: dict) -> SensorNetwork:
-    offsets, mean = parameters["sensor_offsets"], parameters["prior_mean"]
-    deviation = np.sqrt(parameters["prior_variance"])
-
-    def draw_prior(streams, particles):
-        return mean + deviation * streams.standard_normal(1, particles)
-
-    def move(x, k, streams):
-        following = ungm.transition(x, k - 1)
-        following += ungm.gamma_noise(streams, parameters["process_noise_scale"], *x.shape[1:])
-        return following
-
-    return SensorNetwork(
-        initial_mean=np.array([mean]),
-        sensors=len(offsets),
-        steps=parameters["steps"],
-        draw_prior=draw_prior,
-        move=move,
-        level=lambda x, i: ungm.level(x[:, 0], offsets[i]),
-        noise=noise(parameters),
-        saturation=harvesting_sensors.saturation_of(parameters),
-        energy=harvesting_sensors.queue(parameters),
-    )
-
-
-def lost(runs):
-    return None  # the plant forgets where it was within a few steps
-
-
-def rows(shards):
-    return harvesting_sensors.rmse_rows(shards, COMPONENTS, None)
-
-
-def curves(shards):
-    return harvesting_sensors.rmse_curves(shards, COMPONENTS)
+STUDY = Ungm()

@@ -4,10 +4,12 @@ import itertools
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
 
+from repro import plugins
 from repro.layout import Layout
 from repro.logs import Log, read_log
 from repro.statistics.runs import Runs
@@ -19,8 +21,23 @@ Catalogue = dict[str, dict[str, list[str]]]  # study -> point -> filters that ru
 class Results:
     """Logs, runs and tables by name, all shards together."""
 
-    def __init__(self, root: str | Path, catalogue: Catalogue, shards: int):
+    def __init__(
+        self,
+        root: str | Path,
+        catalogue: Catalogue,
+        shards: int,
+        analysis: dict[str, dict[str, Any]],
+        tolerance: float,
+    ):
+        """`analysis` are the thresholds of each study, `tolerance` is that of the verdicts."""
         self.layout, self.catalogue, self.shards = Layout(root), catalogue, range(shards)
+        self.tolerance = tolerance
+        self._analysis = analysis
+
+    def analysis(self, study: str) -> Any:
+        """The thresholds of a study's metrics and claims, of the study's own type."""
+        model = plugins.study(study).Analysis
+        return model.checked(self._analysis[study], f"{study}: analysis")
 
     def filters(self, study: str, point: str) -> list[str]:
         """Filters that run on a point, in the order of the catalogue of rules."""
@@ -34,7 +51,7 @@ class Results:
         """The log of what was flown on a filter's estimates, in a closed loop."""
         return self._log([self.layout.flight(study, point, filter_, s) for s in self.shards])
 
-    def parameters(self, study: str, point: str) -> dict:
+    def parameters(self, study: str, point: str) -> Any:
         """The resolved parameters of a point, as its log has them."""
         return read_log(self.layout.log(study, point, 0)).parameters
 

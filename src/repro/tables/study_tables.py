@@ -1,28 +1,29 @@
 """Tables and curves of a study, in long form, each number with its Monte Carlo standard error."""
 
 from pathlib import Path
-from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pandas as pd
 
+from repro import plugins
 from repro.statistics.shards import Shards
-from repro.studies import study_module
+from repro.studies import Study
 from repro.tables.csv_file import write_csv
 from repro.tables.results import Results
 
 
 def tabulate(results: Results, study: str, table: str | Path, curves: str | Path) -> None:
     """Write the table and the curves of every point and filter of a study."""
-    module = study_module(study)
+    scenario, analysis = plugins.study(study), results.analysis(study)
     rows, over_k = [], []
     for point, filters in results.catalogue[study].items():
         for filter_ in filters:
             shards = results.in_shards(study, point, filter_)
             degenerate = shards.each(lambda runs: runs.degenerate).mean()
-            lost = _share_lost(module, shards)
+            lost = _share_lost(scenario, analysis, shards)
             where = {"study": study, "point": point, "filter": filter_}
-            for metric, component, statistic in module.rows(shards):
+            for metric, component, statistic in scenario.rows(shards, analysis):
                 rows.append(
                     where
                     | {"metric": metric, "component": component}
@@ -31,7 +32,7 @@ def tabulate(results: Results, study: str, table: str | Path, curves: str | Path
                     | {"q10": statistic.q10, "q90": statistic.q90}
                     | {"lost": lost, "degenerate": degenerate}
                 )
-            for metric, component, statistic in module.curves(shards):
+            for metric, component, statistic in scenario.curves(shards):
                 over_k.append(
                     pd.DataFrame(
                         where
@@ -45,8 +46,8 @@ def tabulate(results: Results, study: str, table: str | Path, curves: str | Path
     write_csv(pd.concat(over_k), curves)
 
 
-def _share_lost(module: ModuleType, shards: Shards) -> float:
+def _share_lost(study: Study, analysis: Any, shards: Shards) -> float:
     """Share of the runs that lost their target; NaN where a study knows no such thing."""
-    if module.lost(shards.first) is None:
+    if study.lost(shards.first, analysis) is None:
         return np.nan
-    return shards.each(module.lost).mean()
+    return shards.each(lambda runs: study.lost(runs, analysis)).mean()

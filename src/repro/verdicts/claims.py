@@ -73,7 +73,7 @@ def overall(verdicts: list[str]) -> str:
     return "holds" if set(verdicts) == {"holds"} else "undecided"
 
 
-def decide(results: Results, paper: str, tolerance: float, path: str | Path) -> None:
+def decide(results: Results, paper: str, path: str | Path) -> None:
     """Test every claim of a paper; write one row a part."""
     rows = []
     for item, statement, test in import_module(f"repro.papers.{paper}.claims").CLAIMS:
@@ -81,6 +81,6 @@ def decide(results: Results, paper: str, tolerance: float, path: str | Path) -> 
             rows.append(
                 {"paper": paper, "item": item, "statement": statement, "part": part.what}
                 | {"difference": part.difference, "mcse": part.mcse}
-                | {"verdict": part.verdict(tolerance)}
+                | {"verdict": part.verdict(results.tolerance)}
             )
     write_csv(rows, path)

@@ -1,13 +1,22 @@
 """Which filters run on which points: filled by the filters' rules, read by everything else."""
 
+import json
 from collections.abc import Iterable, Mapping
 from fnmatch import fnmatchcase
+from pathlib import Path
 
+from repro.atomic import atomic_write
 from repro.errors import ReproError
 from repro.layout import Layout
 from repro.parameters.load import on_request
 
 Catalogue = dict[str, dict[str, list[str]]]  # study -> point -> filters, in the order of the rules
+
+
+def write_catalogue(catalogue: Catalogue, path: str | Path) -> None:
+    """Write the catalogue as JSON, for what is no rule: tests, and a reader's own scripts."""
+    with atomic_write(path) as part:
+        part.write_text(json.dumps(catalogue, indent=1) + "\n")
 
 
 def matching_points(

@@ -18,7 +18,6 @@ rule sensitivity:
         ENVIRONMENT
     params:
         results=lambda wildcards: results_of([wildcards.study], requested=True),
-        tolerance=RUN["tolerance"],
         code=code("repro.papers.censored_network.sensitivity"),
     script:
         "../../scripts/papers/sensitivity.py"

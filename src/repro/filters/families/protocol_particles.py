@@ -13,6 +13,7 @@ import numpy as np
 from repro.filters import Filter
 from repro.filters.families import censored_likelihood, particle_filter
 from repro.models.coupled_targets import CoupledTargets, drift, pull
+from repro.parameters.settings import ProtocolParticles
 
 
 class Draws(NamedTuple):
@@ -48,7 +49,9 @@ class Draws(NamedTuple):
         return drawn
 
 
-def auxiliary(model: CoupledTargets, settings: dict, coupled=True, compensated=True) -> Filter:
+def auxiliary(
+    model: CoupledTargets, settings: ProtocolParticles, coupled=True, compensated=True
+) -> Filter:
     """Algorithm 1; weights (22)."""
     draws = _draws(model, settings, coupled)
     return particle_filter.auxiliary(
@@ -56,22 +59,22 @@ def auxiliary(model: CoupledTargets, settings: dict, coupled=True, compensated=T
         draws.drift,
         draws.mixture,
         censored_likelihood.build(model, compensated),
-        settings["resampling"],
+        settings.resampling,
     )
 
 
-def bootstrap(model: CoupledTargets, settings: dict) -> Filter:
+def bootstrap(model: CoupledTargets, settings: ProtocolParticles) -> Filter:
     """The same draws and likelihood in the standard resampling framework."""
     draws = _draws(model, settings)
     return particle_filter.bootstrap(
         draws.initial,
         draws.transition,
         censored_likelihood.build(model),
-        settings["resampling"],
+        settings.resampling,
     )
 
 
-def dead_reckoning(model: CoupledTargets, settings: dict) -> Filter:
+def dead_reckoning(model: CoupledTargets, settings: ProtocolParticles) -> Filter:
     """The same draws without a measurement."""
     draws = _draws(model, settings)
 
@@ -85,5 +88,5 @@ def dead_reckoning(model: CoupledTargets, settings: dict) -> Filter:
     return particle_filter.as_filter(init, step)
 
 
-def _draws(model: CoupledTargets, settings: dict, coupled: bool = True) -> Draws:
-    return Draws(model, settings["particles"], coupled, settings["coupling_drawn_per"])
+def _draws(model: CoupledTargets, settings: ProtocolParticles, coupled: bool = True) -> Draws:
+    return Draws(model, settings.particles, coupled, settings.coupling_drawn_per)

@@ -13,6 +13,7 @@ from repro.filters.families import kalman
 from repro.kernels.resampling import effective_sample_size, multinomial, normalised, systematic
 from repro.models import Model
 from repro.network.losses import log_odds
+from repro.parameters.settings import RaoBlackwell
 
 NUMBERS_A_DRAW = 2048  # of a trial, at once, for as many steps as they are enough for
 
@@ -53,7 +54,7 @@ class Draws:
         return step[:, 0], step[:, 1]
 
 
-def build(model: Model, settings: dict, distinct: bool) -> Filter:
+def build(model: Model, settings: RaoBlackwell, distinct: bool) -> Filter:
     """`distinct` is Algorithm 4; its results are those of Algorithm 3 to the last bit.
 
     Settings: `particles`; `threshold`, N_T as a share of N; `resampling` (multinomial, systematic);
@@ -61,8 +62,8 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
     means, or as printed in (17)).
     """
     n, m, chain = len(model.initial_mean), len(model.measurement_covariance), model.network
-    particles, threshold = settings["particles"], settings["threshold"] * settings["particles"]
-    optimal, spread = settings["proposal"] == "optimal", settings["covariance"] == "with spread"
+    particles, threshold = settings.particles, settings.threshold * settings.particles
+    optimal, spread = settings.proposal == "optimal", settings.covariance == "with spread"
     of_noise = kalman.noise_log_likelihood(model)
 
     def init(streams):
@@ -103,7 +104,7 @@ def build(model: Model, settings: dict, distinct: bool) -> Filter:
         rows = np.flatnonzero(effective_sample_size(weights) < threshold)
         if len(rows) == 0:
             return rows, None
-        if settings["resampling"] == "multinomial":
+        if settings.resampling == "multinomial":
             chosen = multinomial(weights[rows], uniforms[rows])
         else:
             chosen = systematic(weights[rows], uniforms[rows, 0])

@@ -10,13 +10,14 @@ from repro.filters import Filter
 from repro.filters.families import particle_filter
 from repro.models.sensor_network import SensorNetwork
 from repro.network.energy_harvesting import transmission_probability
+from repro.parameters.settings import Bootstrap
 
 STREAM = "bootstrap"  # shared by the filters of this kernel: they are compared on the same draws
 
 
 def build(
     model: SensorNetwork,
-    settings: dict,
+    settings: Bootstrap,
     saturates: bool,
     transmission: str | None,
     channel: str = "received",
@@ -44,14 +45,14 @@ def build(
         for i in range(model.sensors):  # (13), (27)
             level = model.level(particles, i)
             total += model.noise.log_likelihood(z[:, i], level, i, saturation, probability[k])
-        if settings["weights"] == "linear":
+        if settings.weights == "linear":
             with np.errstate(divide="ignore"):  # log 0 = -inf is meant
                 total = np.log(np.exp(total))
         return total
 
     return particle_filter.bootstrap(
-        lambda streams: model.draw_prior(streams, settings["particles"]),
+        lambda streams: model.draw_prior(streams, settings.particles),
         move,
         log_likelihood,
-        settings["resampling"],
+        settings.resampling,
     )

@@ -40,7 +40,7 @@ OF_THE_METRIC = (
 )
 
 
-def tabulate(results: Results, name: str, tolerance: float, path: str | Path) -> None:
+def tabulate(results: Results, name: str, path: str | Path) -> None:
     """Average RMSE of each filter under each reading, and whether each order holds (paired)."""
     points = [point for point in results.catalogue[name] if on_request(point)]
     fewest = min(len(results.runs(name, point, "mapf").error) for point in points)
@@ -69,7 +69,11 @@ def tabulate(results: Results, name: str, tolerance: float, path: str | Path) ->
             rows.append(
                 where
                 | {"filter": part.what, "metric": "order", "value": part.difference}
-                | {"mcse": part.mcse, "trials": len(a_left), "verdict": part.verdict(tolerance)}
+                | {
+                    "mcse": part.mcse,
+                    "trials": len(a_left),
+                    "verdict": part.verdict(results.tolerance),
+                }
             )
     write_csv(rows, path)
 

@@ -8,12 +8,12 @@ from itertools import pairwise
 
 import numpy as np
 
+from repro import plugins
 from repro.network import energy_harvesting
 from repro.run import run
 from repro.simulate import simulated
 from repro.statistics import metrics
 from repro.statistics.shards import Columns
-from repro.studies import study_module
 from repro.studies.families import harvesting_sensors, signal_strength
 from repro.tables.results import Results
 from repro.verdicts.claims import Claim, Part, below, claim, most, smaller
@@ -27,7 +27,7 @@ SHOWN = 3  # Figs. 4 and 5 show sensor 4
 
 def squared(results: Results, study: str, point: str, filter_: str, component: str) -> Columns:
     """Squared errors of every run at k = 1 ... K."""
-    axes = study_module(study).COMPONENTS[component]
+    axes = plugins.study(study).components[component]
     return results.each(
         study, point, filter_, lambda runs: harvesting_sensors.squared(runs, axes)[:, 1:]
     )
@@ -35,7 +35,7 @@ def squared(results: Results, study: str, point: str, filter_: str, component: s
 
 def lost(results: Results, study: str, *runs: tuple[str, str]) -> np.ndarray:
     """Which trials one of the (point, filter) has lost, (trials,)."""
-    return np.any([results.each(study, *at, study_module(study).lost) for at in runs], axis=0)
+    return np.any([results.each(study, *at, plugins.study(study).lost) for at in runs], axis=0)
 
 
 def combination(what: str, weights: tuple[float, ...], errors: list[Columns]) -> Part:
@@ -89,7 +89,7 @@ def ordered(results, study: str, points: list[str], names: list[str]) -> list[Pa
     """PF-ROSS-EH is more accurate at each point than at the next, in position and velocity."""
     return [
         part
-        for component in study_module(study).COMPONENTS
+        for component in plugins.study(study).components
         for (low, high), (first, second) in zip(pairwise(points), pairwise(names), strict=True)
         for part in better(
             results,
@@ -166,7 +166,7 @@ def transmission(results: Results, study: str, point: str, rule: str) -> np.ndar
     """lambda(k) for k = 1 ... K."""
     parameters = results.parameters(study, point)
     queue = harvesting_sensors.queue(parameters)
-    return energy_harvesting.transmission_probability(queue, parameters["steps"], rule)[1:]
+    return energy_harvesting.transmission_probability(queue, parameters.steps, rule)[1:]
 
 
 def sent(results: Results, study: str, point: str) -> np.ndarray:
@@ -207,7 +207,7 @@ def broken_rules(log) -> np.ndarray:
     """Number of entries of each run that break a rule of the battery, (trials,)."""
     queue = harvesting_sensors.queue(log.parameters)
     wrong = np.zeros(len(log.trials))
-    for i in range(1, log.parameters["sensors"] + 1):
+    for i in range(1, log.parameters.sensors + 1):
         energy, harvest, transmits = (
             log.field("/network", f"{name}_{i}") for name in ("energy", "harvest", "sent")
         )

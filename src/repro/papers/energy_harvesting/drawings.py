@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from repro import plugins
 from repro.network import energy_harvesting
 from repro.plot import style
-from repro.studies import study_module
 from repro.studies.families import harvesting_sensors, signal_strength
 from repro.tables.results import Results
 
@@ -61,7 +61,7 @@ def rmse_over_k(axes: Axes, results: Results, study: str, component: str, curves
             **look,
         )
     parameters = results.log(study, "base").parameters
-    k = np.arange(1, parameters["steps"] + 1)
+    k = np.arange(1, parameters.steps + 1)
     axes.plot(k, prediction(study, parameters, component, k), color="0.55", lw=1.2, label="no data")
     axes.set(
         xlabel="k (steps of 1 s)",
@@ -73,10 +73,10 @@ def rmse_over_k(axes: Axes, results: Results, study: str, component: str, curves
 
 def prediction(study: str, parameters: dict, component: str, k: np.ndarray) -> np.ndarray:
     """RMSE(k) of x(0) carried on without data: the root of the process noise's variance (31)."""
-    axes = len(study_module(study).COMPONENTS[component])
-    time = k * parameters["sampling_time"]
+    axes = len(plugins.study(study).components[component])
+    time = k * parameters.sampling_time
     variance = time**3 / 3 if component == "position" else time
-    return np.sqrt(axes * parameters["acceleration_variance"] * variance)
+    return np.sqrt(axes * parameters.acceleration_variance * variance)
 
 
 def rmse_figure(results: Results, study: str, component: str) -> Figure:

@@ -9,7 +9,7 @@ from repro.studies import quadrotor
 from repro.tables.results import Results
 
 STUDY = "quadrotor"
-NAMES = {"ekf_no_loss": "EKF (no losses)", "iekf": "IEKF (losses known)"}
+NAMES = {"ekf_no_loss": "EKF (no losses)", "iekf": "IEKF (losses known)", "rbpf_fast": "RBPF"}
 IGNORING = "#D55E00"
 # The filters of Figs. 8, 9. Most lie on one another: dashes in turn on the IEKF's line.
 LINES = {
@@ -17,7 +17,7 @@ LINES = {
     "iekf": {"lw": 2.6},
     "bkf_1": {"lw": 1.5, "ls": (0, (4, 8))},
     "bkf_2": {"lw": 1.5, "ls": (4, (4, 8))},
-    "rbpf": {"lw": 1.5, "ls": (8, (4, 8))},
+    "rbpf_fast": {"lw": 1.5, "ls": (8, (4, 8))},
 }
 
 
@@ -37,7 +37,7 @@ def typical_flight(results: Results, point: str, filter_: str) -> int:
 
 def in_space(results: Results, point: str) -> Figure:
     """Fig. 8: one flight with every filter in space, and the same from above."""
-    flight = typical_flight(results, point, "rbpf")
+    flight = typical_flight(results, point, "rbpf_fast")
     log = results.log(STUDY, point)
     path = quadrotor.reference(log.parameters)
     drawn = style.pyplot.figure(figsize=(10.6, 5.0))
@@ -64,10 +64,10 @@ def in_space(results: Results, point: str) -> Figure:
 
 def over_time(results: Results, point: str) -> Figure:
     """Fig. 9: X, Y, Z of the same flight over time, and the distance to the path in all flights."""
-    flight = typical_flight(results, point, "rbpf")
+    flight = typical_flight(results, point, "rbpf_fast")
     log = results.log(STUDY, point)
     path = quadrotor.reference(log.parameters)
-    time = np.arange(len(path)) * log.parameters["period"]
+    time = np.arange(len(path)) * log.parameters.period
     drawn, grid = style.figure(4, 1, size=(8.0, 8.6), sharex=True)
     for filter_ in LINES:
         runs = results.runs(STUDY, point, filter_)
@@ -105,7 +105,7 @@ def ignoring_losses(results: Results, points: tuple[str, ...]) -> Figure:
         parameters = results.log(STUDY, point).parameters
         runs = results.runs(STUDY, point, "ekf")
         distance, end = runs.recorded["distance"], runs.recorded["end"]
-        time = np.arange(distance.shape[1]) * parameters["period"]
+        time = np.arange(distance.shape[1]) * parameters.period
         typical = typical_flight(results, point, "ekf")
         for flight, (values, last) in enumerate(zip(distance, end, strict=True)):
             thick = flight == typical
@@ -130,7 +130,7 @@ def ignoring_losses(results: Results, points: tuple[str, ...]) -> Figure:
 
 def _expected_bias(axes: Axes, parameters: dict) -> None:
     """Where the loop settles if it does: the estimate (1 - p) Z at the command."""
-    p = parameters["loss_probability"]
+    p = parameters.loss_probability
     altitude = quadrotor.reference(parameters)[0, 2]
     label = "bias of the altitude, $Zp/(1-p)$"
     axes.axhline(altitude * p / (1 - p), color="black", ls="--", lw=1, label=label)

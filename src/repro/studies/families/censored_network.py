@@ -3,165 +3,99 @@
 The studies `deadband` and `saturation` are this one; what differs stands in their parameters.
 """
 
-import numpy as np
+from typing import Annotated, Literal, Self
 
+import numpy as np
+from pydantic import Field, model_validator
+
+from repro.logs import Log
 from repro.models.coupled_targets import CoupledTargets, SignalStrength, drift, pull
 from repro.models.mixture_noise import MixtureNoise
 from repro.network.censoring import Censoring, censored
 from repro.network.channels import Recorded
 from repro.network.random_access import transmitted, transmitting_group
+from repro.parameters.values import (
+    NotNegative,
+    Pair,
+    PointParameters,
+    Positive,
+    Probability,
+    Rectangular,
+    Triple,
+    Values,
+)
 from repro.statistics import metrics
-
-__all__ = [
-    "TRAJECTORY",
-    "TRIALS_A_BLOCK",
-    "channels",
-    "curves",
-    "error",
-    "lost",
-    "model",
-    "period",
-    "rows",
-    "simulate",
-    "topics",
-]
+from repro.statistics.runs import Runs
+from repro.statistics.shards import Shards
+from repro.studies import Rows, StreamsOf, Study
 
 TARGETS = ("1", "2", "3")
 COMPONENTS = (*(f"target_{i}" for i in TARGETS), "average")
 STATE = ("px", "py", "phi")
-TRAJECTORY = tuple((f"px_{i}", f"py_{i}") for i in TARGETS)
-LOST_ABOVE = 10.0  # m: a run with a larger error has lost the target
-TRIALS_A_BLOCK = 4  # the readings of all particles of a block stay in a cache of 1 MB
-HORIZON = 50  # the first steps that the reading of a shorter horizon looks at
 
 
-def sensors(parameters: dict) -> np.ndarray:
+class Parameters(PointParameters):
+    """Values of one point."""
+
+    initial_states: tuple[Triple, Triple, Triple]
+    initial_deviation: tuple[NotNegative, NotNegative, NotNegative]
+    speed: Triple
+    turn_rate: float
+    process_deviation: tuple[NotNegative, NotNegative, NotNegative]
+    coupling_strength: NotNegative
+    self_coupling_strength: NotNegative
+    coupling_rate: Probability
+    sensor_groups: Annotated[
+        tuple[Annotated[tuple[Pair, ...], Field(min_length=1)], ...],
+        Field(min_length=1),
+        Rectangular,
+    ]
+    group_probabilities: Annotated[tuple[Probability, ...], Field(min_length=1)]
+    group_known: bool
+    strength_at_reference: float
+    path_loss_exponent: Annotated[float, Field(gt=0, le=10)]
+    reference_distance: Annotated[float, Field(ge=0.001)]
+    glint_probability: Probability
+    nominal_deviation: Positive
+    glint_deviation: Positive
+    censoring: Literal["dead band", "saturation"]
+    lower_threshold: float
+    upper_threshold: float
+    dead_band_constant: float
+
+    @model_validator(mode="after")
+    def _every_group_has_a_probability(self) -> Self:
+        if len(self.group_probabilities) != len(self.sensor_groups):
+            raise ValueError(
+                f"group_probabilities has {len(self.group_probabilities)} entries; "
+                f"sensor_groups asks for {len(self.sensor_groups)}"
+            )
+        return self
+
+
+class Analysis(Values):
+    """When a run has lost a target, and what a short horizon is."""
+
+    lost_above: Annotated[Positive, Field(description="m, error of a target in a lost run")]
+    short_horizon: Annotated[int, Field(ge=1, description="steps that a shorter horizon has")]
+
+
+def sensors(parameters: Parameters) -> np.ndarray:
     """Positions (M, b, 2) in m."""
-    return np.array(parameters["sensor_groups"], dtype=float)
+    return np.array(parameters.sensor_groups, dtype=float)
 
 
-def topics(parameters: dict) -> dict[str, tuple[str, ...]]:
-    groups, size, _ = sensors(parameters).shape
-    names = [f"{m}_{j}" for m in range(1, groups + 1) for j in range(1, size + 1)]
-    return {
-        "/truth": tuple(f"{name}_{i}" for i in TARGETS for name in STATE),
-        "/sensor": tuple(f"strength_{i}_{name}" for i in TARGETS for name in names),
-        "/received": tuple(
-            f"{what}_{i}_{j}"
-            for what in ("value", "code")
-            for i in TARGETS
-            for j in range(1, size + 1)
-        ),
-        "/network": tuple(f"{what}_{i}" for what in ("group", "coupled") for i in TARGETS),
-    }
-
-
-def period(parameters: dict) -> float:
-    return 1.0  # (23) has no sampling time
-
-
-def model(parameters: dict) -> CoupledTargets:
-    return CoupledTargets(
-        initial_mean=np.ravel(parameters["initial_states"]),
-        initial_deviation=np.array(parameters["initial_deviation"]),
-        speed=np.array(parameters["speed"]),
-        turn_rate=parameters["turn_rate"],
-        process_deviation=np.array(parameters["process_deviation"]),
-        coupling=_coupling(parameters),
-        coupling_rate=parameters["coupling_rate"],
-        sensors=sensors(parameters),
-        strength=SignalStrength(
-            parameters["strength_at_reference"],
-            parameters["path_loss_exponent"],
-            parameters["reference_distance"],
-        ),
-        noise=MixtureNoise(
-            parameters["glint_probability"],
-            parameters["nominal_deviation"],
-            parameters["glint_deviation"],
-        ),
-        censoring=Censoring(
-            parameters["censoring"],
-            parameters["lower_threshold"],
-            parameters["upper_threshold"],
-            parameters["dead_band_constant"],
-        ),
-    )
-
-
-def _coupling(parameters: dict) -> np.ndarray:
+def _coupling(parameters: Parameters) -> np.ndarray:
     nodes = len(TARGETS)
-    matrix = np.full((nodes, nodes), parameters["coupling_strength"], dtype=float)
-    np.fill_diagonal(matrix, parameters["self_coupling_strength"])
+    matrix = np.full((nodes, nodes), parameters.coupling_strength, dtype=float)
+    np.fill_diagonal(matrix, parameters.self_coupling_strength)
     return matrix
-
-
-def simulate(parameters: dict, streams) -> dict[str, np.ndarray]:
-    known, steps, nodes = model(parameters), parameters["steps"], len(TARGETS)
-    groups, size, _ = known.sensors.shape
-    process, network, sensor = streams("process"), streams("network"), streams("sensor")
-    trials = len(process)
-    noise = known.process_deviation * process.standard_normal(steps, nodes, len(STATE))
-    network_uniform = network.uniform(steps + 1, 2, nodes)  # step by step: horizons share them
-    coupled = network_uniform[:, :, 0] < known.coupling_rate
-    group = transmitting_group(network_uniform[:, :, 1], parameters["group_probabilities"])
-
-    truth = np.empty((trials, steps + 1, nodes, len(STATE)))
-    truth[:, 0] = known.initial_mean.reshape(nodes, len(STATE))
-    for k in range(steps):  # (23), all targets from their states of step k
-        x = truth[:, k]
-        moved = drift(x[..., None], known.speed, known.turn_rate)[..., 0]
-        truth[:, k + 1] = moved + coupled[:, k, :, None] * pull(x, known.coupling) + noise[:, k]
-
-    # (24)-(25); (trials, steps + 1, nodes, M, b)
-    offset = truth[..., None, None, :2] - known.sensors
-    distance = np.hypot(offset[..., 0], offset[..., 1])
-    ideal = known.strength.at_reference - 10 * known.strength.path_loss_exponent * np.log10(
-        np.maximum(distance, 1e-9) / known.strength.reference_distance
-    )
-    shape = (steps + 1, nodes, groups, size)
-    glint = sensor.uniform(*shape)
-    ideal = ideal + known.noise.sample(glint, sensor.standard_normal(*shape))
-
-    readings, codes = censored(ideal, known.censoring)
-    values, value_codes = transmitted(readings, group), transmitted(codes, group)
-    flat = (trials, steps + 1, -1)
-    return {
-        "/truth": truth.reshape(flat),
-        "/sensor": ideal.reshape(flat),
-        "/received": np.concatenate(
-            [values.reshape(flat), value_codes.reshape(flat).astype(float)], axis=-1
-        ),
-        "/network": np.concatenate([group + 1.0, coupled.astype(float)], axis=-1),
-    }
-
-
-def channels(log, trials: slice, parameters: dict) -> Recorded:
-    """Values and codes (trials, steps, nodes, b); the group only where `group_known` tells it."""
-    received = log.values["/received"][trials]
-    values, codes = np.split(received.reshape(*received.shape[:2], 2 * len(TARGETS), -1), 2, axis=2)
-    probabilities = np.array(parameters["group_probabilities"])
-    shape = (*values.shape[:3], len(probabilities))
-    known = np.broadcast_to(probabilities, shape)
-    if parameters["group_known"]:
-        group = log.values["/network"][trials][:, :, : len(TARGETS)]
-        known = (group[..., None] == np.arange(1, shape[-1] + 1)).astype(float)
-    return Recorded(received=values, code=codes.astype(int), group_probability=known)
-
-
-def error(log, estimate: np.ndarray) -> np.ndarray:
-    return estimate - log.values["/truth"]
 
 
 def squared_distance(runs) -> np.ndarray:
     """Squared position errors of every target, (trials, steps + 1, targets), in m^2."""
     error = runs.error.reshape(*runs.error.shape[:2], len(TARGETS), len(STATE))
     return (error[..., :2] ** 2).sum(axis=-1)
-
-
-def lost(runs) -> np.ndarray:
-    """Runs that lose a target at some step, (trials,)."""
-    return (squared_distance(runs)[:, 1:] > LOST_ABOVE**2).any(axis=(1, 2))
 
 
 def with_average(of_target: np.ndarray) -> np.ndarray:
@@ -184,26 +118,6 @@ def effective_sample_size(runs) -> np.ndarray:
     return runs.recorded["effective_sample_size"]
 
 
-def rows(shards):
-    def squared(target, steps):
-        return lambda runs: squared_distance(runs)[:, steps, target]
-
-    for metric, steps in (
-        ("rmse", slice(1, None)),  # (26), averaged over k = 1 ... K
-        ("rmse_from_0", slice(None)),
-        (f"rmse_first_{HORIZON}", slice(1, HORIZON + 1)),
-    ):
-        of_targets = [shards.each(squared(i, steps)) for i in range(len(TARGETS))]
-        yield from _with_average(metric, [metrics.roots_over_steps(of) for of in of_targets])
-    mean_squared = [
-        shards.each(lambda runs, i=i: squared_distance(runs)[:, 1:, i].mean(axis=1))
-        for i in range(len(TARGETS))
-    ]
-    yield from _with_average("rmse_root_of_mean", [metrics.root(of) for of in mean_squared])
-    effective = shards.each(lambda runs: effective_sample_size(runs)[:, 1:].mean(axis=1))
-    yield "effective_sample_size", "average", metrics.mean(effective)
-
-
 def _with_average(metric: str, of_targets: list[metrics.Jackknife]):
     """The targets and their mean, which is how the paper averages."""
     numbers = [*of_targets, metrics.average(of_targets)]
@@ -211,8 +125,136 @@ def _with_average(metric: str, of_targets: list[metrics.Jackknife]):
         yield metric, component, metrics.statistic(number)
 
 
-def curves(shards):
-    for i, component in enumerate(COMPONENTS[:-1]):
-        squared = shards.each(lambda runs, i=i: squared_distance(runs)[:, :, i])
-        yield "rmse", component, metrics.root_mean(squared)
-    yield "effective_sample_size", "average", metrics.mean(shards.each(effective_sample_size))
+class CensoredNetwork(Study):
+    """Three coupled targets; dead band or saturation is a parameter."""
+
+    Parameters = Parameters
+    Analysis = Analysis
+    systems_per_block = 4  # the readings of all particles of a block stay in a cache of 1 MB
+    trajectory = tuple((f"px_{i}", f"py_{i}") for i in TARGETS)
+
+    def topics(self, parameters: Parameters) -> dict[str, tuple[str, ...]]:
+        groups, size, _ = sensors(parameters).shape
+        names = [f"{m}_{j}" for m in range(1, groups + 1) for j in range(1, size + 1)]
+        return {
+            "/truth": tuple(f"{name}_{i}" for i in TARGETS for name in STATE),
+            "/sensor": tuple(f"strength_{i}_{name}" for i in TARGETS for name in names),
+            "/received": tuple(
+                f"{what}_{i}_{j}"
+                for what in ("value", "code")
+                for i in TARGETS
+                for j in range(1, size + 1)
+            ),
+            "/network": tuple(f"{what}_{i}" for what in ("group", "coupled") for i in TARGETS),
+        }
+
+    def model(self, parameters: Parameters) -> CoupledTargets:
+        return CoupledTargets(
+            initial_mean=np.ravel(parameters.initial_states),
+            initial_deviation=np.array(parameters.initial_deviation),
+            speed=np.array(parameters.speed),
+            turn_rate=parameters.turn_rate,
+            process_deviation=np.array(parameters.process_deviation),
+            coupling=_coupling(parameters),
+            coupling_rate=parameters.coupling_rate,
+            sensors=sensors(parameters),
+            strength=SignalStrength(
+                parameters.strength_at_reference,
+                parameters.path_loss_exponent,
+                parameters.reference_distance,
+            ),
+            noise=MixtureNoise(
+                parameters.glint_probability,
+                parameters.nominal_deviation,
+                parameters.glint_deviation,
+            ),
+            censoring=Censoring(
+                parameters.censoring,
+                parameters.lower_threshold,
+                parameters.upper_threshold,
+                parameters.dead_band_constant,
+            ),
+        )
+
+    def simulate(self, parameters: Parameters, streams: StreamsOf) -> dict[str, np.ndarray]:
+        known, steps, nodes = self.model(parameters), parameters.steps, len(TARGETS)
+        groups, size, _ = known.sensors.shape
+        process, network, sensor = streams("process"), streams("network"), streams("sensor")
+        trials = len(process)
+        noise = known.process_deviation * process.standard_normal(steps, nodes, len(STATE))
+        network_uniform = network.uniform(steps + 1, 2, nodes)  # step by step: horizons share them
+        coupled = network_uniform[:, :, 0] < known.coupling_rate
+        group = transmitting_group(network_uniform[:, :, 1], parameters.group_probabilities)
+
+        truth = np.empty((trials, steps + 1, nodes, len(STATE)))
+        truth[:, 0] = known.initial_mean.reshape(nodes, len(STATE))
+        for k in range(steps):  # (23), all targets from their states of step k
+            x = truth[:, k]
+            moved = drift(x[..., None], known.speed, known.turn_rate)[..., 0]
+            truth[:, k + 1] = moved + coupled[:, k, :, None] * pull(x, known.coupling) + noise[:, k]
+
+        # (24)-(25); (trials, steps + 1, nodes, M, b)
+        offset = truth[..., None, None, :2] - known.sensors
+        distance = np.hypot(offset[..., 0], offset[..., 1])
+        ideal = known.strength.at_reference - 10 * known.strength.path_loss_exponent * np.log10(
+            np.maximum(distance, 1e-9) / known.strength.reference_distance
+        )
+        shape = (steps + 1, nodes, groups, size)
+        glint = sensor.uniform(*shape)
+        ideal = ideal + known.noise.sample(glint, sensor.standard_normal(*shape))
+
+        readings, codes = censored(ideal, known.censoring)
+        values, value_codes = transmitted(readings, group), transmitted(codes, group)
+        flat = (trials, steps + 1, -1)
+        return {
+            "/truth": truth.reshape(flat),
+            "/sensor": ideal.reshape(flat),
+            "/received": np.concatenate(
+                [values.reshape(flat), value_codes.reshape(flat).astype(float)], axis=-1
+            ),
+            "/network": np.concatenate([group + 1.0, coupled.astype(float)], axis=-1),
+        }
+
+    def channels(self, log: Log, trials: slice) -> Recorded:
+        """Values and codes (trials, steps, nodes, b); the group only if `group_known`."""
+        parameters = log.parameters
+        received = log.values["/received"][trials]
+        values, codes = np.split(
+            received.reshape(*received.shape[:2], 2 * len(TARGETS), -1), 2, axis=2
+        )
+        probabilities = np.array(parameters.group_probabilities)
+        shape = (*values.shape[:3], len(probabilities))
+        known = np.broadcast_to(probabilities, shape)
+        if parameters.group_known:
+            group = log.values["/network"][trials][:, :, : len(TARGETS)]
+            known = (group[..., None] == np.arange(1, shape[-1] + 1)).astype(float)
+        return Recorded(received=values, code=codes.astype(int), group_probability=known)
+
+    def lost(self, runs: Runs, analysis: Analysis) -> np.ndarray:
+        """Runs that lose a target at some step, (trials,)."""
+        return (squared_distance(runs)[:, 1:] > analysis.lost_above**2).any(axis=(1, 2))
+
+    def rows(self, shards: Shards, analysis: Analysis) -> Rows:
+        def squared(target, steps):
+            return lambda runs: squared_distance(runs)[:, steps, target]
+
+        for metric, steps in (
+            ("rmse", slice(1, None)),  # (26), averaged over k = 1 ... K
+            ("rmse_from_0", slice(None)),
+            (f"rmse_first_{analysis.short_horizon}", slice(1, analysis.short_horizon + 1)),
+        ):
+            of_targets = [shards.each(squared(i, steps)) for i in range(len(TARGETS))]
+            yield from _with_average(metric, [metrics.roots_over_steps(of) for of in of_targets])
+        mean_squared = [
+            shards.each(lambda runs, i=i: squared_distance(runs)[:, 1:, i].mean(axis=1))
+            for i in range(len(TARGETS))
+        ]
+        yield from _with_average("rmse_root_of_mean", [metrics.root(of) for of in mean_squared])
+        effective = shards.each(lambda runs: effective_sample_size(runs)[:, 1:].mean(axis=1))
+        yield "effective_sample_size", "average", metrics.mean(effective)
+
+    def curves(self, shards: Shards) -> Rows:
+        for i, component in enumerate(COMPONENTS[:-1]):
+            squared = shards.each(lambda runs, i=i: squared_distance(runs)[:, :, i])
+            yield "rmse", component, metrics.root_mean(squared)
+        yield "effective_sample_size", "average", metrics.mean(shards.each(effective_sample_size))

@@ -1,0 +1,96 @@
+"""The shape of a paper's parameter file: every value says where it comes from."""
+
+from collections.abc import Iterator
+from typing import Annotated, Any, Self
+
+from pydantic import Field, model_validator
+
+from repro.parameters.values import Values
+
+Text = Annotated[str, Field(min_length=1)]
+
+
+class WithSource(Values):
+    """A source in the paper, or `assumed` and the reason why."""
+
+    source: Text
+    why: Text | None = None
+
+    @model_validator(mode="after")
+    def _assumed_needs_a_reason(self) -> Self:
+        if self.source == "assumed" and self.why is None:
+            raise ValueError("'why' is missing; add it: an assumed value needs a reason")
+        return self
+
+
+class Sourced(WithSource):
+    """A value and its source."""
+
+    value: Any
+
+
+Entries = dict[str, Sourced]
+
+
+class Family(WithSource):
+    """Points that differ in the swept values alone, named after them."""
+
+    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9_.={}+-]+$")]
+    # Every combination of the values of these keys. A key is a parameter, or a setting written
+    # filter.setting; keys joined by commas take the same value.
+    sweep: dict[str, Annotated[list[Any], Field(min_length=1)]] = Field(default_factory=dict)
+    set: dict[str, Any] = Field(default_factory=dict)
+    filters: dict[str, dict[str, Any]] = Field(default_factory=dict)
+
+
+class StudySection(Values):
+    """One study of a paper."""
+
+    parameters: Entries
+    filters: dict[str, Entries] = Field(default_factory=dict)
+    analysis: Entries = Field(default_factory=dict)  # thresholds of the metrics and claims
+    points: Annotated[list[Family], Field(min_length=1)]
+
+
+class PaperFile(Values):
+    """The whole file."""
+
+    paper: Text
+    title: Text
+    authors: Text
+    studies: dict[str, StudySection]
+    examples: dict[str, Entries] = Field(default_factory=dict)
+
+
+class RunFile(Values):
+    """What holds for every study: params/run.yaml."""
+
+    root_seed: Sourced
+    shards: Sourced
+    tolerance: Sourced
+
+
+def plain(entries: Entries) -> dict[str, Any]:
+    """The values without their sources."""
+    return {name: entry.value for name, entry in entries.items()}
+
+
+def every_value(content: PaperFile) -> Iterator[tuple[str, str, str, Any, WithSource]]:
+    """(study, point, name, value, source) of every value of a file, in its order."""
+    for study, section in content.studies.items():
+        for name, entry in section.parameters.items():
+            yield study, "every", name, entry.value, entry
+        for filter_, settings in section.filters.items():
+            for name, entry in settings.items():
+                yield study, "every", f"{filter_}.{name}", entry.value, entry
+        for name, entry in section.analysis.items():
+            yield study, "analysis", name, entry.value, entry
+        for family in section.points:
+            changes = family.sweep | family.set
+            for filter_, settings in family.filters.items():
+                changes |= {f"{filter_}.{name}": value for name, value in settings.items()}
+            for name, value in changes.items():
+                yield study, family.name, name, value, family
+    for example, entries in content.examples.items():
+        for name, entry in entries.items():
+            yield example, "every", name, entry.value, entry

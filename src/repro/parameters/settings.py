@@ -1,0 +1,100 @@
+"""What the papers' filters can be set to. A filter that is not listed here has a `Settings` of its
+own, or takes its settings as they are given."""
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from repro.parameters.values import Probability, Values
+
+Particles = Annotated[int, Field(ge=1, description="number of particles of a trial")]
+Resampling = Literal["systematic", "multinomial"]
+
+
+class MinimumVariance(Values):
+    """OMVF [packet_delays Theorem 1]."""
+
+    alpha_rule: Literal["sum to one", "8b"]
+    qbar_sign: Literal[1, -1]
+
+
+class ExtendedMinimumVariance(MinimumVariance):
+    """EMVF [packet_delays Theorem 2]."""
+
+    initial_second_moment: Literal["theorem_2", "P0", "matched"]
+    late_measurement: Literal["own sensor", "current sensor"]
+
+
+class RealisedIndicators(ExtendedMinimumVariance):
+    """EMVF on the arrivals that happened [packet_delays (22)]."""
+
+    indicator_of: Literal["k", "k+1"]
+
+
+class ProtocolParticles(Values):
+    """MAPF and its variants [censored_network Algorithm 1]."""
+
+    particles: Annotated[int, Field(ge=2, description="number of particles of a node")]
+    resampling: Resampling
+    coupling_drawn_per: Literal["particle", "step"]
+
+
+class JointBootstrap(Values):
+    """PF-ROSS-EH on the joint chain of energy and harvest."""
+
+    particles: Particles
+    resampling: Resampling
+
+
+class Bootstrap(JointBootstrap):
+    """PF-ROSS-EH and the filters it is compared with [energy_harvesting Algorithm 1]."""
+
+    weights: Literal["logarithmic", "linear"]
+
+
+class MergedHypotheses(Values):
+    """BKF-II [unknown_losses Algorithm 2]."""
+
+    prior: Literal["theta", "lambda(k-1)"]
+
+
+class RaoBlackwell(Values):
+    """RBPF and Fast RBPF [unknown_losses Algorithms 3 and 4]."""
+
+    particles: Particles
+    threshold: Annotated[Probability, Field(description="N_T as a share of the particles")]
+    resampling: Resampling
+    proposal: Literal["prior", "optimal"]
+    covariance: Literal["with spread", "printed"]
+
+
+SETTINGS: dict[str, type[Values]] = {
+    "omvf": MinimumVariance,
+    "emvf": ExtendedMinimumVariance,
+    "emvf_realised": RealisedIndicators,
+    **dict.fromkeys(("mapf", "mapf_nc", "mapf_nmc", "mpf", "dead_reckoning"), ProtocolParticles),
+    **dict.fromkeys(
+        ("pf_ross_eh", "pf_ross", "pf_eh", "spf", "spf_im", "pf_ross_eh_exact"), Bootstrap
+    ),
+    "pf_ross_eh_joint": JointBootstrap,
+    "bkf_2": MergedHypotheses,
+    "rbpf": RaoBlackwell,
+    "rbpf_fast": RaoBlackwell,
+}
+
+
+def checked_settings(filter_: str, values: Mapping[str, Any], where: str) -> dict[str, Any]:
+    """The settings as JSON has them; checked, if the filter is one of the papers'."""
+    if filter_ not in SETTINGS:
+        return dict(values)
+    return SETTINGS[filter_].checked(values, where).plain()
+
+
+def typed_settings(module: Any, filter_: str, values: Mapping[str, Any]) -> Any:
+    """The settings as `build` gets them: typed by SETTINGS, by the module's own `Settings`, or not.
+
+    Raises ParameterError if the values do not fit.
+    """
+    model = SETTINGS.get(filter_) or getattr(module, "Settings", None)
+    return dict(values) if model is None else model.checked(values, f"filter {filter_}: settings")
