@@ -2,6 +2,7 @@
 
 from importlib import import_module
 from types import ModuleType
+from typing import Any
 
 from repro.errors import ReproError
 
@@ -16,6 +17,15 @@ def filter_module(name: str) -> ModuleType:
     return _member("filter", f"repro.filters.{name}", ("LABEL", "SEES", "build"))
 
 
+def named_filter(filter_: str | Any) -> tuple[str, Any]:
+    """Name and module of a filter given by its name, as its module, or as any object like one."""
+    if isinstance(filter_, str):
+        return filter_, filter_module(filter_)
+    name = getattr(filter_, "__name__", type(filter_).__name__).rsplit(".", 1)[-1]
+    _check(f"filter {name}", filter_, ("LABEL", "SEES", "build"))
+    return name, filter_
+
+
 def _member(kind: str, dotted: str, needed: tuple[str, ...]) -> ModuleType:
     name, file = dotted.rsplit(".", 1)[1], f"src/{dotted.replace('.', '/')}.py"
     try:
@@ -24,7 +34,13 @@ def _member(kind: str, dotted: str, needed: tuple[str, ...]) -> ModuleType:
         if error.name != dotted:
             raise
         raise ReproError(f"{kind} {name}: there is no {file}") from None
+    _check(f"{kind} {name}: {file}", module, needed)
+    return module
+
+
+def _check(where: str, module: Any, needed: tuple[str, ...]) -> None:
     for attribute in needed:
         if not hasattr(module, attribute):
-            raise ReproError(f"{kind} {name}: {file} defines no {attribute}")
-    return module
+            raise ReproError(f"{where} defines no {attribute}")
+    if isinstance(getattr(module, "SEES", ()), str):
+        raise ReproError(f"{where}: SEES is a string; write a tuple: SEES = ('{module.SEES}',)")

@@ -17,7 +17,7 @@ rule run_filter:
         mem_mb=1500,
     params:
         settings=settings,
-        code=code("repro.run", "repro.filters.{filter}"),
+        code=code("repro.runner", "repro.filters.{filter}"),
     script:
         "../scripts/run_filter.py"
 

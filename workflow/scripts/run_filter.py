@@ -1,4 +1,4 @@
-from repro.run import run_filter
+from repro.runner import run_filter
 from repro.workflow.job import job
 
 at, output = snakemake.wildcards, snakemake.output

@@ -1,0 +1,128 @@
+"""Run one filter over one log, batched over trials."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from repro import plugins
+from repro.atomic import atomic_write
+from repro.errors import ReproError, computing
+from repro.filters import Filter
+from repro.logs import Log, read_log, write_log
+from repro.parameters.settings import typed_settings
+from repro.runner.block import Block
+from repro.runner.faults import Progress, Task, inside
+from repro.statistics.runs import Runs
+from repro.streams import Streams
+from repro.studies import ClosedLoop, Study
+
+
+def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, Runs]:
+    """Estimates (trials, steps, n) and runs of a filter on every trial of a log.
+
+    `filter_` is a name, or whatever has LABEL, SEES and build. Without /truth in the log the
+    errors are NaN. Raises ReproError if the filter breaks its contract.
+    """
+    study, name, module = plugins.study(log.study), *plugins.named_filter(filter_)
+    task = Task(name, f"{log.study}, {log.point}")
+    with computing(f"{log.study}, {log.point}"):
+        model = study.model(log.parameters)
+    built = build(task, module, model, settings)
+    size = max(1, study.systems_per_block // built.particles)
+    progress = Progress(task, len(log.trials))
+    blocks = []
+    for first in range(0, len(log.trials), size):
+        trials = slice(first, first + size)
+        numbers = log.trials[trials]
+        # Filters that share a stream draw the same numbers.
+        stream = f"filter:{getattr(module, 'STREAM', name)}"
+        block = Block(
+            task,
+            built,
+            module.SEES,
+            study.channels(log, trials),
+            Streams(log.seed, log.study, stream, numbers.tolist()),
+            numbers,
+            steps=log.steps,
+            states=len(model.initial_mean),
+            first_step=study.first_step(log.parameters),
+            kept=_kept(study),
+        )
+        blocks.append(block.run(progress))
+    estimate = np.concatenate([block.estimate for block in blocks])
+    flown = {t: np.concatenate([block.flown[t] for block in blocks]) for t in blocks[0].flown}
+    log = log._replace(values=log.values | flown)  # a closed loop decides its own truth
+    error = study.error(log, estimate) if "/truth" in log.values else np.full_like(estimate, np.nan)
+    return estimate, Runs(
+        error=error,
+        claimed=_claimed([block.claimed for block in blocks]),
+        degenerate=np.concatenate([block.degenerate for block in blocks]),
+        recorded={
+            key: np.concatenate([block.recorded[key] for block in blocks])
+            for key in blocks[0].recorded
+        },
+        flown=flown,
+    )
+
+
+def build(task: Task, module: Any, model: Any, settings: dict[str, Any]) -> Filter:
+    """The filter for a model. Raises ReproError if the model is not of the kind that it needs."""
+    wanted = getattr(module.build, "__annotations__", {}).get("model")
+    if isinstance(wanted, type) and not isinstance(model, wanted):
+        raise ReproError(
+            f"{task}: it needs a {wanted.__name__}; this study has a {type(model).__name__}"
+        )
+    typed = typed_settings(module, task.name, settings)
+    with inside(task, "build(model, settings)"):
+        built = module.build(model, typed)
+    if not isinstance(built, Filter):
+        raise ReproError(f"{task}: build returned a {type(built).__name__}; it must be a Filter")
+    return built
+
+
+def _kept(study: Study) -> tuple[str, ...]:
+    """What is kept of each step besides the estimate."""
+    wanted = {"claimed": study.keeps_claimed_variance, "arrived": study.keeps_inferred_arrivals}
+    return tuple(name for name, is_wanted in wanted.items() if is_wanted)
+
+
+def _claimed(of_blocks: list[np.ndarray | None]) -> np.ndarray | None:
+    """Claimed variances of all blocks; (steps, n) if they are the same in every trial."""
+    first, *_ = of_blocks
+    if first is None or first.ndim == 2:
+        return first
+    return np.concatenate([part for part in of_blocks if part is not None])
+
+
+def run_filter(
+    log_path: str,
+    study: str,
+    point: str,
+    name: str,
+    settings: dict[str, Any],
+    path: str | Path,
+    flight_path: str | Path | None = None,
+) -> None:
+    """Read a log, run the filter and write its runs; the file appears whole or not at all.
+
+    A closed loop writes the log of what was flown to `flight_path`.
+    """
+    log = read_checked_log(log_path, study, point)
+    estimate, runs = run(log, name, settings)
+    if flight_path is not None:
+        loop = plugins.study(study)
+        assert isinstance(loop, ClosedLoop)
+        write_log(flight_path, loop.flight(log, estimate, runs), loop.period(log.parameters))
+    arrays = {f"recorded_{key}": value for key, value in runs.recorded.items()}
+    if runs.claimed is not None:
+        arrays["claimed"] = runs.claimed
+    with atomic_write(path) as part, part.open("wb") as stream:
+        np.savez(stream, trials=log.trials, error=runs.error, degenerate=runs.degenerate, **arrays)
+
+
+def read_checked_log(path: str, study: str, point: str) -> Log:
+    """The log at `path`, checked to be of that study and point with that study's topics."""
+    log = read_log(path, study=study, point=point)
+    wanted = plugins.study(study).topics(log.parameters)
+    return log if log.fields == wanted else read_log(path, wanted, study, point)
