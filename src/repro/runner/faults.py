@@ -1,4 +1,4 @@
-"""A filter that fails or takes long: one line that says where, and no more than its own traceback."""
+"""A filter that fails, or takes long: one line that says where, and its own traceback."""
 
 import sys
 import time
