@@ -120,7 +120,7 @@ class Block:
             )
         if not np.isrealobj(mean) or mean.dtype == object:
             raise ReproError(
-                f"{self._task}: mean(state) holds {mean.dtype} at step {k}; it must hold real numbers"
+                f"{self._task}: mean(state) holds {mean.dtype} at step {k}; it must be real"
             )
         finite = np.isfinite(mean).all(axis=1)
         if not finite.all():

@@ -29,6 +29,7 @@ class Study(ABC):
     Analysis: ClassVar[type[Values]] = NoAnalysis  # thresholds of its metrics and claims
     systems_per_block: ClassVar[int] = 250  # trials times particles that run side by side
     trajectory: ClassVar[tuple[tuple[str, str], ...]] = ()  # fields of /truth: y over x
+    error_unit: ClassVar[str] = ""  # of the root of squared_error
     keeps_claimed_variance: ClassVar[bool] = True  # the variances that the filters claim
     keeps_inferred_arrivals: ClassVar[bool] = False  # what the filters infer of the arrivals
 
@@ -67,6 +68,13 @@ class Study(ABC):
     def error(self, log: Log, estimate: np.ndarray) -> np.ndarray:
         """Error of every state component, (trials, steps, n)."""
         return estimate - log.values["/truth"]
+
+    def squared_error(self, runs: Runs) -> np.ndarray:
+        """Squared error of what the study is about, (trials, steps), by which filters are ranked.
+
+        The whole state from the first estimated step on, unless a study overrides it.
+        """
+        return np.vecdot(runs.error, runs.error)[:, 1:]
 
     def lost(self, runs: Runs, analysis: Any) -> np.ndarray | None:
         """Which runs have lost what they track, (trials,); None where none can."""

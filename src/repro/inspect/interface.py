@@ -1,0 +1,183 @@
+"""The Python interface, for a notebook or a debugger: no Snakemake, no file.
+
+`import repro` gives its functions: repro.study, repro.run, repro.estimate, repro.compare.
+"""
+
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+
+from repro import plugins
+from repro.errors import ReproError
+from repro.logs import Log
+from repro.network.channels import Recorded
+from repro.parameters.load import Point, load_paper, load_run
+from repro.runner import build
+from repro.runner import run as run_on_log
+from repro.runner.block import Block
+from repro.runner.faults import Task
+from repro.simulate import simulated
+from repro.statistics import metrics
+from repro.statistics.runs import Runs
+from repro.statistics.shards import Columns
+from repro.streams import Streams
+from repro.verdicts.paired import decided
+
+PARAMETERS = Path(__file__).resolve().parents[3] / "params"
+
+
+class Estimates(NamedTuple):
+    """What a filter makes of a log: arrays (trials, steps, n), errors NaN without a truth."""
+
+    label: str
+    estimate: np.ndarray
+    error: np.ndarray
+    runs: Runs  # with claimed variances and what the filter recorded besides
+    squared_error: np.ndarray  # of what the study is about, (trials, steps)
+
+
+class StudyAtPoints:
+    """A study with the points that its parameter file gives it."""
+
+    def __init__(self, name: str):
+        self.name, self.scenario = name, plugins.study(name)
+
+    def __repr__(self) -> str:
+        return f"<study {self.name}: {', '.join(self.points)}>"
+
+    @property
+    def points(self) -> dict[str, Point]:
+        """Parameters and settings by the name of the point."""
+        return points(self.name)
+
+    def simulate(
+        self, point: str, trials: int | None = None, seed: int | None = None, **changes: Any
+    ) -> Log:
+        """A log in memory; `changes` are other values of the point's parameters."""
+        parameters = self.point(point).parameters
+        if trials is not None:
+            changes["trials"] = trials
+        where = f"{self.name}, {point}"
+        parameters = self.scenario.Parameters.checked(parameters.plain() | changes, where)
+        root_seed = load_run(PARAMETERS / "run.yaml", {}).root_seed if seed is None else seed
+        return simulated(self.name, point, parameters, root_seed, np.arange(parameters.trials))
+
+    def model(self, point: str) -> Any:
+        """What a filter knows of system and network at a point."""
+        return self.scenario.model(self.point(point).parameters)
+
+    def point(self, name: str) -> Point:
+        """A point by its name. Raises ReproError if there is none."""
+        if name not in self.points:
+            raise ReproError(
+                f"{self.name}: no point '{name}'; the points are {', '.join(self.points)}"
+            )
+        return self.points[name]
+
+
+@cache
+def points(study: str) -> dict[str, Point]:
+    """The points of a study, by name. Raises ReproError if no parameter file has the study."""
+    for file in sorted(PARAMETERS.glob("*.yaml")):
+        if file.name != "run.yaml":
+            paper = load_paper(file)
+            if study in paper.studies:
+                return paper.studies[study]
+    raise ReproError(f"study {study}: no file in {PARAMETERS} has its points")
+
+
+def study(name: str) -> StudyAtPoints:
+    """A study by its name. Raises ReproError if there is none."""
+    return StudyAtPoints(name)
+
+
+def run(filter_: Any, log: Log, **settings: Any) -> Estimates:
+    """A filter on a log: given by its name, as a module, or as any object with LABEL, SEES, build.
+
+    Settings that are not given are those of the log's point. Raises ReproError in one line.
+    """
+    name, module = plugins.named_filter(filter_)
+    of_point = points(log.study).get(log.point) if isinstance(filter_, str) else None
+    known = of_point.filters.get(name, {}) if of_point else {}
+    estimate, runs = run_on_log(log, filter_, known | settings)
+    squared = plugins.study(log.study).squared_error(runs)
+    return Estimates(module.LABEL, estimate, runs.error, runs, squared)
+
+
+def estimate(
+    filter_: Any,
+    model: Any,
+    received: np.ndarray,
+    arrival: np.ndarray | None = None,
+    *,
+    first_step: int = 1,
+    seed: int = 0,
+    settings: Mapping[str, Any] | None = None,
+    **channels: np.ndarray,
+) -> np.ndarray:
+    """Estimates (trials, steps, n), or (steps, n) of a single record, from plain arrays.
+
+    `received` is (steps,), (steps, m) or (trials, steps, m); step 0 is used if `first_step` is 0.
+    `arrival` is (steps,) or (trials, steps); further channels are given by name. Raises ReproError.
+    """
+    name, module = plugins.named_filter(filter_)
+    task = Task(name, "plain arrays")
+    built = build(task, module, model, dict(settings or {}))
+    given = {"received": received, "arrival": arrival, **channels}
+    arrays = {
+        key: np.asarray(value, dtype=float) for key, value in given.items() if value is not None
+    }
+    single = arrays["received"].ndim < 3
+    if single:
+        arrays = {key: value[None] for key, value in arrays.items()}
+    lengths = {key: value.shape[:2] for key, value in arrays.items()}
+    if len(set(lengths.values())) > 1:
+        raise ReproError(f"{task}: the channels have other trials or steps: {lengths}")
+    trials, steps = lengths["received"]
+    numbers = np.arange(trials)
+    block = Block(
+        task,
+        built,
+        module.SEES,
+        Recorded(**arrays),
+        Streams(
+            seed, "plain arrays", f"filter:{getattr(module, 'STREAM', name)}", numbers.tolist()
+        ),
+        numbers,
+        steps=steps,
+        states=len(model.initial_mean),
+        first_step=first_step,
+    )
+    estimated = block.run().estimate
+    return estimated[0] if single else estimated
+
+
+def compare(filters: Mapping[str, Any], log: Log, tolerance: float = 3.0) -> pd.DataFrame:
+    """Filters on one log, the best first, with paired differences to the best.
+
+    `filters` maps a name of one's choice to a filter (see `run`), or to a filter and its settings.
+    Columns: rmse (mean over k of the root of the mean squared error over the trials) with its
+    standard error, median of the single runs, the difference to the best with its paired standard
+    error, and the verdict at `tolerance` standard errors: best, worse, not decided.
+    """
+    found = {}
+    for name, given in filters.items():
+        filter_, settings = given if isinstance(given, tuple) else (given, {})
+        squared = run(filter_, log, **settings).squared_error
+        found[name] = metrics.roots_over_steps(Columns(iter([squared]), [len(squared)]))
+    best = min(found, key=lambda name: found[name].value)
+    rows = []
+    for name, number in sorted(found.items(), key=lambda item: item[1].value):
+        statistic = metrics.statistic(number)
+        difference = number.value - found[best].value
+        error = float(metrics.jackknife_error(number.left_out - found[best].left_out))
+        rows.append(
+            {"filter": name, "rmse": statistic.value, "mcse": statistic.mcse}
+            | {"median": statistic.median, "difference": difference, "difference_mcse": error}
+            | {"verdict": "best" if name == best else decided(difference, error, tolerance)}
+        )
+    return pd.DataFrame(rows).set_index("filter")
