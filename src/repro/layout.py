@@ -32,6 +32,18 @@ class Layout:
         """Statistics of a study over the steps."""
         return self._at("curves", f"{study}.csv")
 
+    def ranking(self, study="{study}") -> str:
+        """How the filters of a study rank, on every point."""
+        return self._at("ranking", study, "table.csv")
+
+    def error_over_k(self, study="{study}") -> str:
+        """The errors by which a study ranks, over the steps."""
+        return self._at("ranking", study, "over_k.csv")
+
+    def error_shares(self, study="{study}") -> str:
+        """The distribution of those errors over the runs."""
+        return self._at("ranking", study, "shares.csv")
+
     def claims(self, paper="{paper}") -> str:
         """Every comparison behind the claims of a paper."""
         return self._at("claims", f"{paper}.csv")

@@ -15,7 +15,7 @@ from repro import plugins
 from repro.errors import ReproError
 from repro.logs import Log
 from repro.network.channels import Recorded
-from repro.parameters.load import Point, load_paper, load_run
+from repro.parameters.load import Paper, Point, load_paper, load_run
 from repro.runner import build
 from repro.runner import run as run_on_log
 from repro.runner.block import Block
@@ -52,7 +52,7 @@ class StudyAtPoints:
     @property
     def points(self) -> dict[str, Point]:
         """Parameters and settings by the name of the point."""
-        return points(self.name)
+        return paper_of(self.name).studies[self.name]
 
     def simulate(
         self, point: str, trials: int | None = None, seed: int | None = None, **changes: Any
@@ -80,13 +80,13 @@ class StudyAtPoints:
 
 
 @cache
-def points(study: str) -> dict[str, Point]:
-    """The points of a study, by name. Raises ReproError if no parameter file has the study."""
+def paper_of(study: str) -> Paper:
+    """The parameters of the paper that a study is of. Raises ReproError if no file has it."""
     for file in sorted(PARAMETERS.glob("*.yaml")):
         if file.name != "run.yaml":
             paper = load_paper(file)
             if study in paper.studies:
-                return paper.studies[study]
+                return paper
     raise ReproError(f"study {study}: no file in {PARAMETERS} has its points")
 
 
@@ -101,7 +101,8 @@ def run(filter_: Any, log: Log, **settings: Any) -> Estimates:
     Settings that are not given are those of the log's point. Raises ReproError in one line.
     """
     name, module = plugins.named_filter(filter_)
-    of_point = points(log.study).get(log.point) if isinstance(filter_, str) else None
+    of_study = paper_of(log.study).studies[log.study]
+    of_point = of_study.get(log.point) if isinstance(filter_, str) else None
     known = of_point.filters.get(name, {}) if of_point else {}
     estimate, runs = run_on_log(log, filter_, known | settings)
     squared = plugins.study(log.study).squared_error(runs)

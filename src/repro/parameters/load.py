@@ -10,7 +10,15 @@ import yaml
 from pydantic import Field
 
 from repro import plugins
-from repro.parameters.paper_file import Family, PaperFile, RunFile, StudySection, every_value, plain
+from repro.parameters.paper_file import (
+    Family,
+    PaperFile,
+    Ranking,
+    RunFile,
+    StudySection,
+    every_value,
+    plain,
+)
 from repro.parameters.settings import checked_settings
 from repro.parameters.values import ParameterError, PointParameters, Positive, Values
 from repro.parameters.yaml_file import read_yaml
@@ -29,6 +37,8 @@ class Point(NamedTuple):
 
     parameters: PointParameters  # of the study's own type
     filters: dict[str, dict[str, Any]]  # settings by filter, as JSON has them
+    family: str  # name of the family that the point belongs to
+    swept: dict[str, Any]  # the values that tell it from the others of its family
 
     def with_trials(self, trials: int) -> "Point":
         """The same point with another number of trials."""
@@ -43,6 +53,8 @@ class Paper(NamedTuple):
     authors: str
     studies: dict[str, dict[str, Point]]  # study -> point -> values
     analysis: dict[str, dict[str, Any]]  # study -> thresholds of its metrics and claims
+    ranking: dict[str, Ranking]  # study -> whose its filters are
+    run: dict[str, list[str]]  # study -> filters that run on every point without a rule
     examples: dict[str, dict[str, Any]]
 
 
@@ -76,16 +88,27 @@ def load_paper(path: str | Path) -> Paper:
         analysis[name] = thresholds.plain()
         studies[name] = {}
         for family in section.points:
-            for point, parameters, filters in _resolved(section, family, where):
+            for point, parameters, filters, swept in _resolved(section, family, where):
                 here = f"{where}.points.{point}"
                 if point in studies[name]:
                     raise ParameterError(f"{here}: two points have this name; rename one")
                 studies[name][point] = Point(
                     study.Parameters.checked(parameters, f"{here}: parameters"),
                     {f: checked_settings(f, s, f"{here}: filters.{f}") for f, s in filters.items()},
+                    family.name,
+                    swept,
                 )
     examples = {name: plain(entries) for name, entries in content.examples.items()}
-    return Paper(content.paper, content.title, content.authors, studies, analysis, examples)
+    return Paper(
+        content.paper,
+        content.title,
+        content.authors,
+        studies,
+        analysis,
+        {name: section.ranking for name, section in content.studies.items()},
+        {name: section.run for name, section in content.studies.items()},
+        examples,
+    )
 
 
 def load_run(path: str | Path, overrides: dict[str, Any]) -> Run:
@@ -124,8 +147,8 @@ def sources(path: str | Path) -> list[dict[str, str]]:
 
 def _resolved(
     section: StudySection, family: Family, where: str
-) -> Iterator[tuple[str, dict, dict]]:
-    """Name, parameters and settings of each point: base values, then `set`, then the sweep."""
+) -> Iterator[tuple[str, dict, dict, dict]]:
+    """Name, parameters, settings and swept values of each point: base, then `set`, then sweep."""
     base = plain(section.parameters) | family.set
     settings = {name: plain(values) for name, values in section.filters.items()}
     for name, changes in family.filters.items():
@@ -141,7 +164,8 @@ def _resolved(
                     filters[filter_][setting] = value
                 else:
                     parameters[key] = value
-        yield _name(family.name, parameters, filters, where), parameters, filters
+        swept = dict(zip(family.sweep, values, strict=True))
+        yield _name(family.name, parameters, filters, where), parameters, filters, swept
 
 
 def _check_known(filter_: str, settings: dict[str, dict], where: str) -> None:

@@ -43,10 +43,26 @@ class Family(WithSource):
     filters: dict[str, dict[str, Any]] = Field(default_factory=dict)
 
 
+class Ranking(Values):
+    """Which filters of a study are the paper's, and which measure them; the rest are a reader's."""
+
+    papers: list[str] = Field(default_factory=list)  # the filters that the paper proposes
+    informed: str | None = None  # the reference that knows most
+    nothing: str | None = None  # the reference that uses no measurement
+    others: list[str] = Field(default_factory=list)  # further filters that this project adds
+
+    def known(self) -> set[str]:
+        """All filters that are not a reader's own."""
+        return {*self.papers, *self.others} | {f for f in (self.informed, self.nothing) if f}
+
+
 class StudySection(Values):
     """One study of a paper."""
 
     parameters: Entries
+    # Filters of this package that run on every point; for a study that has no rule of its own.
+    run: list[str] = Field(default_factory=list)
+    ranking: Ranking = Field(default_factory=Ranking)
     filters: dict[str, Entries] = Field(default_factory=dict)
     analysis: Entries = Field(default_factory=dict)  # thresholds of the metrics and claims
     points: Annotated[list[Family], Field(min_length=1)]
@@ -56,8 +72,8 @@ class PaperFile(Values):
     """The whole file."""
 
     paper: Text
-    title: Text
-    authors: Text
+    title: Text = "a study of one's own"
+    authors: Text = "not published"
     studies: dict[str, StudySection]
     examples: dict[str, Entries] = Field(default_factory=dict)
 

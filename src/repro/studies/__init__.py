@@ -12,6 +12,7 @@ import numpy as np
 from repro.logs import Log
 from repro.network.channels import Channels
 from repro.parameters.values import NoAnalysis, PointParameters, Values
+from repro.statistics import metrics
 from repro.statistics.metrics import Statistic
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
@@ -49,13 +50,14 @@ class Study(ABC):
     def channels(self, log: Log, trials: slice) -> Channels:
         """What a filter may see of a slice of the log's trials."""
 
-    @abstractmethod
     def rows(self, shards: Shards, analysis: Any) -> Rows:
         """The numbers of the study's table."""
+        rmse = metrics.roots_over_steps(shards.each(self.squared_error))
+        yield "rmse", "mean over k", metrics.statistic(rmse)
 
-    @abstractmethod
     def curves(self, shards: Shards) -> Rows:
         """The statistics over k."""
+        yield "rmse", "over k", metrics.root_mean(shards.each(self.squared_error))
 
     def period(self, parameters: Any) -> float:
         """Seconds of log clock a step; 1 where the paper gives no unit of time."""

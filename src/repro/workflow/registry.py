@@ -4,13 +4,20 @@ import json
 from collections.abc import Iterable, Mapping
 from fnmatch import fnmatchcase
 from pathlib import Path
+from typing import Any
 
+from repro import filters
 from repro.atomic import atomic_write
 from repro.errors import ReproError
 from repro.layout import Layout
-from repro.parameters.load import on_request
+from repro.parameters.load import Point, on_request
 
 Catalogue = dict[str, dict[str, list[str]]]  # study -> point -> filters, in the order of the rules
+
+
+def filter_file(name: str) -> Path:
+    """The file of a filter of this name."""
+    return Path(filters.__file__).with_name(f"{name}.py")
 
 
 def write_catalogue(catalogue: Catalogue, path: str | Path) -> None:
@@ -36,19 +43,23 @@ def matching_points(
 class Registry:
     """The filters of every point, and the files that their jobs leave."""
 
-    def __init__(self, layout: Layout, points: Mapping[str, Iterable[str]], shards: int):
-        """`points` are the names of each study's points; `shards` the jobs of each point."""
+    def __init__(self, layout: Layout, points: Mapping[str, Mapping[str, Point]], shards: int):
+        """`points` are each study's points by name; `shards` the jobs of each point."""
         self._layout, self._shards = layout, range(shards)
         self._filters: Catalogue = {
             study: {p: [] for p in named} for study, named in points.items()
         }
+        self._points = points
         self._closed_loops: set[str] = set()
+        self._given: dict[str, dict[str, Any]] = {}  # settings that rules give, by filter
 
     def runs(self, name: str, studies: list[str], points="*", skip=()) -> str:
         """Output of a filter's rule; registers the filter on the matching points of the studies.
 
         Raises ReproError for an unknown study, and for a pattern that no point matches.
         """
+        if not filter_file(name).exists():
+            raise ReproError(f"filter {name}: there is no {filter_file(name)}; write it first")
         for study in studies:
             if study not in self._filters:
                 known = ", ".join(self._filters)
@@ -68,6 +79,23 @@ class Registry:
         """Second output where a filter closes a loop: the log of what was flown."""
         self._closed_loops.update(studies)
         return self._layout.flight(**_only(name, studies))
+
+    def give(self, name: str, settings: dict[str, Any]) -> None:
+        """Settings of a filter as its rule gives them, for every point."""
+        self._given[name] = settings
+
+    def settings(self, name: str, study: str, point: str | None = None) -> dict[str, Any]:
+        """Settings of a filter at a point, or by point: as its rule gives them, else from params/."""
+        if point is None:
+            return {p: self.settings(name, study, p) for p in self._points.get(study, {})}
+        return self._given.get(name) or self._points[study][point].filters.get(name, {})
+
+    def own_filters(self, known: Iterable[str]) -> list[str]:
+        """Filters that are not among the known ones, in the order of their rules."""
+        names = (
+            name for points in self._filters.values() for found in points.values() for name in found
+        )
+        return [name for name in dict.fromkeys(names) if name not in known]
 
     def catalogue(self, *studies: str, requested: bool = False) -> Catalogue:
         """Filters by study and point, without points that have none.

@@ -1,0 +1,109 @@
+"""How the filters of a study rank: errors on the same trials, with paired differences."""
+
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+
+from repro import plugins
+from repro.parameters.paper_file import Ranking
+from repro.statistics import metrics
+from repro.statistics.metrics import Jackknife
+from repro.statistics.shards import Columns
+from repro.tables.csv_file import write_csv
+from repro.tables.results import Results
+from repro.verdicts.paired import decided
+
+SHARES = np.linspace(0.0, 1.0, 101)  # of the runs, at which the distribution of errors is kept
+
+
+class Ranked(NamedTuple):
+    """A filter's error on a point."""
+
+    error: Jackknife  # mean over k of the root of the mean squared error over the trials
+    trials: int
+    lost: float  # share of the runs that lost their target; NaN where a study knows no such thing
+
+
+def ranked(squared: Columns, lost: float) -> Ranked:
+    """`squared` are the squared errors by which the study ranks, (trials, steps)."""
+    return Ranked(metrics.roots_over_steps(squared), squared.trials, lost)
+
+
+def rank_rows(
+    filters: dict[str, Ranked], ranking: Ranking, tolerance: float
+) -> Iterable[dict[str, Any]]:
+    """One row a filter, the most accurate first.
+
+    Error with its standard error and quantiles over the single runs; relative to the best informed
+    reference and to using no measurement; the paired difference to the best of the paper's filters
+    (of all others, where the study has no paper) and its verdict.
+    """
+    rivals = [name for name in filters if name in ranking.papers] or list(filters)
+    best = min(rivals, key=lambda name: filters[name].error.value)
+    for name, own in sorted(filters.items(), key=lambda item: item[1].error.value):
+        statistic = metrics.statistic(own.error)
+        difference = own.error.value - filters[best].error.value
+        left_out = own.error.left_out - filters[best].error.left_out
+        error = float(metrics.jackknife_error(left_out))
+        yield {
+            "filter": name,
+            "whose": _whose(name, ranking),
+            "error": statistic.value,
+            "mcse": statistic.mcse,
+            "median": statistic.median,
+            "q10": statistic.q10,
+            "q90": statistic.q90,
+            "trials": own.trials,
+            "lost": own.lost,
+            "relative_to_informed": _relative(own, filters.get(ranking.informed or "")),
+            "relative_to_nothing": _relative(own, filters.get(ranking.nothing or "")),
+            "best_of_paper": best,
+            "difference": difference,
+            "difference_mcse": error,
+            "verdict": "reference" if name == best else decided(difference, error, tolerance),
+        }
+
+
+def _whose(name: str, ranking: Ranking) -> str:
+    if name in ranking.papers:
+        return "paper"
+    return "reference" if name in ranking.known() else "own"
+
+
+def _relative(own: Ranked, reference: Ranked | None) -> float:
+    return np.nan if reference is None else own.error.value / reference.error.value
+
+
+def tabulate_ranking(results: Results, study: str, table: str, over_k: str, shares: str) -> None:
+    """Write the ranking of every point, the errors over k, and their distribution over the runs."""
+    rows: list[dict[str, Any]] = []
+    curves, distributions = [], []
+    scenario, analysis = plugins.study(study), results.analysis(study)
+    for point, names in results.catalogue[study].items():
+        filters = {}
+        for name in names:
+            shards = results.in_shards(study, point, name)
+            squared = shards.each(scenario.squared_error)
+            share = np.nan
+            if scenario.lost(shards.first, analysis) is not None:
+                share = float(shards.each(lambda runs: scenario.lost(runs, analysis)).mean())
+            filters[name] = ranked(squared, share)
+            where = {"study": study, "point": point, "filter": name}
+            statistic = metrics.root_mean(squared)
+            # The steps that count end with the last; a study may leave out the first.
+            k = np.arange(len(statistic.value)) + shards.first.error.shape[1] - len(statistic.value)
+            curves.append(
+                pd.DataFrame(where | {"k": k} | {n: v for n, v in statistic._asdict().items()})
+            )
+            single = np.quantile(filters[name].error.single, SHARES)
+            distributions.append(pd.DataFrame(where | {"share": SHARES, "error": single}))
+        family = results.points[study][point]
+        rows += [
+            {"study": study, "family": family["family"], "point": point} | row
+            for row in rank_rows(filters, results.ranking(study), results.tolerance)
+        ]
+    write_csv(rows, table)
+    write_csv(pd.concat(curves), over_k)
+    write_csv(pd.concat(distributions), shares)

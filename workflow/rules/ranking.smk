@@ -1,0 +1,67 @@
+# How the filters rank: the leaderboard of all studies, and the figures that every study has.
+rule study_figures:
+    input:
+        table=LAYOUT.ranking(),
+        over_k=LAYOUT.error_over_k(),
+        shares=LAYOUT.error_shares(),
+    output:
+        **{
+            kind: report(
+                f"{FIGURES}/studies/{{study}}/{kind}.png",
+                category="Figures",
+                subcategory="every filter",
+                labels={"figure": f"{{study}}: {kind.replace('_', ' ')}"},
+            )
+            for kind in ("over_k", "over_sweep", "distribution")
+        },
+    log:
+        LAYOUT.job_log("study_figures", "{study}"),
+    benchmark:
+        LAYOUT.timing("study_figures", "{study}")
+    conda:
+        ENVIRONMENT
+    group:
+        "figures"
+    params:
+        results=lambda wildcards: results_of([wildcards.study]),
+        code=code("repro.plot.study_figures"),
+    script:
+        "../scripts/study_figures.py"
+
+
+if RUN.filter is None:
+
+    rule leaderboard:
+        input:
+            [LAYOUT.ranking(study) for study in STUDIES],
+        output:
+            csv=LAYOUT.page("leaderboard.csv"),
+            markdown=LAYOUT.page("leaderboard.md"),
+        log:
+            LAYOUT.job_log("leaderboard"),
+        conda:
+            ENVIRONMENT
+        params:
+            rankings={study: LAYOUT.ranking(study) for study in STUDIES},
+            code=code("repro.pages.leaderboard"),
+        script:
+            "../scripts/leaderboard.py"
+
+else:
+
+    # A filter under development: --config filter=NAME study=STUDY [trials=100] [point=POINT]
+    rule leaderboard:
+        log:
+            LAYOUT.job_log("quick_leaderboard"),
+        conda:
+            ENVIRONMENT
+        params:
+            study=RUN.study,
+            point=RUN.point,
+            filter=RUN.filter,
+            settings=REGISTRY.settings(RUN.filter, RUN.study or ""),
+            seed=RUN.root_seed,
+            trials=RUN.trials or 100,
+            tolerance=RUN.tolerance,
+        script:
+            "../scripts/quick_leaderboard.py"
