@@ -1,4 +1,4 @@
-"""Propositions 1 and 2 of Song et al. against integrals and the printed formulas."""
+"""[censored_network Propositions 1 and 2] against integrals and the printed formulas."""
 
 from types import SimpleNamespace
 
@@ -10,7 +10,7 @@ from scipy.stats import norm
 from repro.filters.families import censored_likelihood
 from repro.models.mixture_noise import MixtureNoise
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
-from repro.studies.families import censored_network as study
+from repro.studies.deadband import STUDY
 from tests.conftest import points
 
 STUDIES = ("deadband", "saturation")
@@ -18,7 +18,7 @@ CODES = {"deadband": (INSIDE,), "saturation": (BELOW, ABOVE)}
 
 
 def known(name, **changes):
-    return study.model(points()[name]["base"].parameters)._replace(**changes)
+    return STUDY.model(points()[name]["base"].parameters)._replace(**changes)
 
 
 def cumulative(t):

@@ -6,7 +6,8 @@ import pytest
 from repro.models.coupled_targets import SignalStrength, drift, log_squared_distance
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
 from repro.network.random_access import transmitted, transmitting_group
-from repro.studies.families import censored_network as study
+from repro.studies.deadband import STUDY
+from repro.studies.families.censored_network import sensors
 from tests.conftest import points, small_log
 
 IDEAL = np.array([-11.0, -10.0, -9.99, 0.0, 9.99, 10.0, 11.0])
@@ -67,7 +68,7 @@ def test_simulated_rates_and_noise(log):
     for share, p in ((network[..., :3] == 1, 0.2), (network[..., 3:], 0.2)):
         assert share.mean() == pytest.approx(p, abs=4 * np.sqrt(p * (1 - p) / count))
     truth = log.values["/truth"].reshape(400, 81, 3, 3)
-    offset = truth[:, :, :, None, :2] - study.sensors(log.parameters).reshape(6, 2)
+    offset = truth[:, :, :, None, :2] - sensors(log.parameters).reshape(6, 2)
     ideal = log.values["/sensor"].reshape(400, 81, 3, 6)
     noise = ideal - (10 - 10 * np.log10((offset**2).sum(axis=-1)))
     assert noise.mean() == pytest.approx(0, abs=0.03)
@@ -100,15 +101,17 @@ def test_truth_starts_on_the_stated_states(log):
 
 
 def test_group_is_not_told(log):
-    offered = study.channels(log, slice(0, 5), log.parameters).at(3, None)
+    offered = STUDY.channels(log, slice(0, 5)).at(3, None)
     assert set(offered) == {"received", "code", "group_probability"}
     assert (offered["group_probability"] == [0.2, 0.8]).all()
-    told = study.channels(log, slice(0, 5), log.parameters | {"group_known": True}).at(3, None)
+    known = log._replace(parameters=log.parameters.model_copy(update={"group_known": True}))
+    told = STUDY.channels(known, slice(0, 5)).at(3, None)
     group = log.values["/network"][:5, 3, :3].astype(int) - 1
     np.testing.assert_array_equal(told["group_probability"].argmax(axis=-1), group)
 
 
 def test_both_studies_share_truth_settings():
     first, second = (points()[name]["base"].parameters for name in ("deadband", "saturation"))
-    differ = {key for key in first if first[key] != second[key]}
+    second = second.plain()
+    differ = {key for key, value in first.plain().items() if value != second[key]}
     assert differ == {"censoring", "lower_threshold", "upper_threshold"}
