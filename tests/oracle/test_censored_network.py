@@ -1,4 +1,4 @@
-"""The filters of the censored-network paper against exact filters."""
+"""The filters of censored_network against exact filters."""
 
 from types import SimpleNamespace
 

@@ -1,14 +1,20 @@
 """Dead band, saturation, random access, signal strength and the simulator of the three targets."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from repro.models.coupled_targets import SignalStrength, drift, log_squared_distance
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
 from repro.network.random_access import transmitted, transmitting_group
+from repro.papers.censored_network import claims
+from repro.parameters.load import load_paper
+from repro.parameters.values import ParameterError
+from repro.statistics.runs import Runs
 from repro.studies.deadband import STUDY
 from repro.studies.families.censored_network import sensors
-from tests.conftest import points, small_log
+from tests.conftest import ROOT, points, small_log
 
 IDEAL = np.array([-11.0, -10.0, -9.99, 0.0, 9.99, 10.0, 11.0])
 
@@ -115,3 +121,40 @@ def test_both_studies_share_truth_settings():
     second = second.plain()
     differ = {key for key, value in first.plain().items() if value != second[key]}
     assert differ == {"censoring", "lower_threshold", "upper_threshold"}
+
+
+def analysis():
+    values = load_paper(ROOT / "params/censored_network.yaml").analysis["deadband"]
+    return STUDY.Analysis.checked(values, "test")
+
+
+def test_a_target_is_lost_by_position_at_any_step_after_the_first():
+    error = np.zeros((4, 6, 9))
+    error[1, 0, 0] = 11.0  # before the first measurement
+    error[2, 3, 4] = 11.0  # py of target 2
+    error[3, 3, 5] = 11.0  # a heading
+    lost = STUDY.lost(Runs(error, None, np.zeros(4), {}), analysis())
+    np.testing.assert_array_equal(lost, [False, False, True, False])
+
+
+def test_every_group_needs_a_probability():
+    values = points()["deadband"]["base"].parameters.plain() | {"group_probabilities": [1.0]}
+    with pytest.raises(ParameterError, match="must be of one length; they have 1 and 2 entries"):
+        STUDY.Parameters.checked(values, "test")
+
+
+@pytest.mark.parametrize(
+    ("filter_", "dead_band", "saturation"),
+    [("mapf_nc", 1.152, 1.242), ("mapf_nmc", 1.608, 5.841), ("mpf", 1.018, 1.053)],
+)
+def test_ratios_of_the_published_averages(filter_, dead_band, saturation):
+    assert claims.published_ratio("deadband", filter_) == (dead_band, 300)
+    assert claims.published_ratio("saturation", filter_) == (saturation, 300)
+
+
+def test_claims_on_the_limits_of_the_likelihood():
+    results = SimpleNamespace(
+        log=lambda study, point: small_log(study, point), analysis=lambda study: analysis()
+    )
+    for part in (*claims.no_censoring_limit(results), *claims.no_coupling_limit(results)):
+        assert part.verdict(3.0) == "holds", part

@@ -22,18 +22,17 @@ PUBLISHED = "params/published/censored_network.csv"
 RATIO_DIGITS = 3  # decimals of a ratio of two averages that are printed with four
 
 
-def published_average(study: str, filter_: str) -> tuple[float, int]:
-    """Printed average RMSE of a filter over the targets in m, and the number of runs behind it."""
+def published_ratio(study: str, filter_: str) -> tuple[float, int]:
+    """Ratio of a filter's published average RMSE to that of MAPF, and the number of runs."""
     rows = read_published(PUBLISHED)
-    for name, wanted in (
-        ("study", study),
-        ("point", POINT),
-        ("filter", filter_),
-        ("metric", "rmse"),
-        ("component", "average"),
-    ):
-        rows = rows[rows[name] == wanted]
-    return float(rows["value"].item()), int(rows["trials"].item())
+    averages = rows[
+        (rows["study"] == study)
+        & (rows["point"] == POINT)
+        & (rows["metric"] == "rmse")
+        & (rows["component"] == "average")
+    ].set_index("filter")
+    of_filter, of_mapf = (float(averages.at[name, "value"]) for name in (filter_, "mapf"))
+    return round(of_filter / of_mapf, RATIO_DIGITS), int(averages.at[filter_, "trials"])
 
 
 def difference(results: Results, study: str, first: str, second: str, component: int = -1) -> Part:
@@ -58,8 +57,7 @@ def ratios_as_published(results: Results, filter_: str) -> list[Part]:
     """The ratio of a filter to MAPF is the published one, within both Monte Carlo errors."""
     parts = []
     for study, words in CENSORING.items():
-        (theirs, runs), (of_mapf, _) = (published_average(study, f) for f in (filter_, "mapf"))
-        published = round(theirs / of_mapf, RATIO_DIGITS)
+        published, runs = published_ratio(study, filter_)
         ours, error = ratio_to_mapf(results, study, filter_)
         trials = results.in_shards(study, POINT, filter_).trials
         allowed = results.tolerance * error * np.hypot(1, np.sqrt(trials / runs))

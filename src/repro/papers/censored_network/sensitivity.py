@@ -50,10 +50,11 @@ def tabulate(results: Results, study: str, path: str | Path) -> None:
         for first, second in ORDERS:
             (a, a_left), (b, b_left) = averages[first], averages[second]
             error = float(metrics.jackknife_error(a_left - b_left))
-            part = Part(f"{first} < {second}", a - b, error)
+            order = f"{first} < {second}"
+            part = Part(order, a - b, error)
             rows.append(
                 key
-                | {"filter": part.what, "metric": "order", "value": part.difference}
+                | {"filter": order, "metric": "order", "value": part.difference}
                 | {"mcse": part.mcse, "trials": len(a_left)}
                 | {"verdict": part.verdict(results.tolerance)}
             )

@@ -101,8 +101,8 @@ class Parameters(PointParameters):
     def _every_group_has_a_probability(self) -> Self:
         if len(self.group_probabilities) != len(self.sensor_groups):
             raise ValueError(
-                f"group_probabilities has {len(self.group_probabilities)} entries; "
-                f"sensor_groups needs {len(self.sensor_groups)}"
+                "group_probabilities and sensor_groups must be of one length; "
+                f"they have {len(self.group_probabilities)} and {len(self.sensor_groups)} entries"
             )
         return self
 
