@@ -176,11 +176,11 @@ def mpf_to_mapf_ratio(results: Results) -> list[Part]:
 
 @claim(
     CLAIMS,
-    "saturation-below-dead-band-except-nmc",
+    "saturation-below-dead-band",
     "Tables I-II: the average RMSE is smaller under saturation than under the dead band for "
     "MAPF, MAPF-NC and MPF, and larger for MAPF-NMC.",
 )
-def saturation_below_dead_band_except_nmc(results: Results) -> list[Part]:
+def saturation_below_dead_band(results: Results) -> list[Part]:
     parts = []
     for filter_, sign in (("mapf", 1), ("mapf_nc", 1), ("mpf", 1), ("mapf_nmc", -1)):
         dead_band, saturation = (
