@@ -1,6 +1,9 @@
 """Figure 5: what the filter of target 1 receives first, dead-band censoring."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.censored_network.drawings import first_component
+from repro.tables.results import Results
 
 NEEDS = {"points": {"deadband": ["base"]}}
 CAPTION = (
@@ -10,5 +13,5 @@ CAPTION = (
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     return first_component(results, "deadband", trial=0)

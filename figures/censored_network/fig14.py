@@ -1,6 +1,9 @@
 """Figure 14: position RMSE of target 2 over k, saturation censoring."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.censored_network.drawings import rmse_over_k
+from repro.tables.results import Results
 
 NEEDS = {
     "tables": ["saturation"],
@@ -10,10 +13,10 @@ NEEDS = {
 CAPTION = (
     "Figure 14. Position RMSE of target 2 over k, saturation censoring, with bands of two "
     "standard errors; bars at the right are the published averages over k. Sensors, speed, "
-    "turn rate and horizon were fitted to those: agreement of levels is a fit, not a "
-    "prediction. The prior is centred on the truth, so that dead reckoning starts ahead."
+    "turn rate and horizon were fitted to those averages: agreement of the levels is a fit, not "
+    "a prediction. The prior is centred on the truth, so dead reckoning starts ahead."
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     return rmse_over_k(results, "saturation", target=2)

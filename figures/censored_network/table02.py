@@ -1,15 +1,18 @@
 """Table II: time-averaged position RMSE, saturation censoring, published and reproduced."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.censored_network.drawings import time_averages
+from repro.tables.results import Results
 
 NEEDS = {"points": {"saturation": ["base"]}, "diff": True}
 CAPTION = (
-    "Table II. Time-averaged position RMSE, saturation censoring, published and ours, bars of "
-    "two standard errors (theirs from our spread at their 300 runs), and dead reckoning, "
-    "which the paper lacks. The geometry was fitted to these numbers: agreement of levels "
-    "says that such a geometry exists."
+    "Table II. Time-averaged position RMSE, saturation censoring, published and ours, with "
+    "bars of two standard errors (the paper's from our spread at its number of runs), and dead "
+    "reckoning, which the paper does not have. The geometry was fitted to these numbers: "
+    "agreement of the levels shows only that such a geometry exists."
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     return time_averages(results, "saturation")

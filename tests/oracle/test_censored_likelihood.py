@@ -1,4 +1,4 @@
-"""Propositions 1 and 2 of Song et al. against integrals and the printed formulas."""
+"""[censored_network Propositions 1 and 2] against integrals and the printed formulas."""
 
 from types import SimpleNamespace
 
@@ -10,7 +10,7 @@ from scipy.stats import norm
 from repro.filters.families import censored_likelihood
 from repro.models.mixture_noise import MixtureNoise
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
-from repro.studies.families import censored_network as study
+from repro.studies.deadband import STUDY
 from tests.conftest import points
 
 STUDIES = ("deadband", "saturation")
@@ -18,7 +18,7 @@ CODES = {"deadband": (INSIDE,), "saturation": (BELOW, ABOVE)}
 
 
 def known(name, **changes):
-    return study.model(points()[name]["base"].parameters)._replace(**changes)
+    return STUDY.model(points()[name]["base"].parameters)._replace(**changes)
 
 
 def cumulative(t):
@@ -108,7 +108,7 @@ def test_far_tails_keep_their_digits():
 
 
 def group_likelihood(model, seen, x):
-    """(14), (21) as printed, without logs: for positions x (..., 2) of one target."""
+    """[censored_network (14), (21)] as printed, without logs; x (..., 2) of one target."""
     low, high = model.censoring.lower, model.censoring.upper
     total = 0.0
     for p, group in zip(seen.group_probability, model.sensors, strict=True):
@@ -136,20 +136,20 @@ def test_likelihood_of_both_groups_as_printed(name):
     seen = SimpleNamespace(
         received=readings, code=codes, group_probability=np.broadcast_to([0.2, 0.8], (6, 3, 2))
     )
-    found = censored_likelihood.build(model)(x, seen, 1)
+    ours = censored_likelihood.build(model)(x, seen, 1)
     assert len(np.unique(codes)) == 1 + len(CODES[name])
     for t in range(6):
         for i in range(3):
             of_target = SimpleNamespace(**{key: value[t, i] for key, value in vars(seen).items()})
             wanted = group_likelihood(model, of_target, x[t, i, :2].T)
-            np.testing.assert_allclose(np.exp(found[t, i]), wanted, rtol=1e-8)
+            np.testing.assert_allclose(np.exp(ours[t, i]), wanted, rtol=1e-8)
 
 
 @pytest.mark.parametrize(
     "censoring", [Censoring("saturation", -1e9, 1e9, 0.0), Censoring("dead band", 3.0, 3.0, 3.0)]
 )
 def test_without_censoring_nothing_is_compensated(censoring):
-    """Remark 3: thresholds at infinity in (5), or equal ones in (4)."""
+    """[censored_network Remark 3]: very large thresholds in (5), or equal ones in (4)."""
     model = known("deadband", censoring=censoring)
     rng = np.random.default_rng(2)
     readings, codes = censored(rng.uniform(-30, 10, (4, 3, 3)), censoring)

@@ -1,4 +1,4 @@
-"""The filters of the censored-network paper against exact filters."""
+"""The filters of censored_network against exact filters."""
 
 from types import SimpleNamespace
 
@@ -8,13 +8,19 @@ from scipy.stats import norm
 
 from repro.filters.families import particle_filter, protocol_particles
 from repro.network.censoring import censored
+from repro.parameters.settings import ProtocolParticles
 from repro.run import run
 from repro.streams import Streams
-from repro.studies.families import censored_network as study
+from repro.studies.deadband import STUDY
+from repro.studies.families.censored_network import squared_distance
 from tests.conftest import small_log
 from tests.oracle.test_censored_likelihood import STUDIES, group_likelihood, known
 
-SETTINGS = {"particles": 1000, "resampling": "systematic", "coupling_drawn_per": "particle"}
+SETTINGS = ProtocolParticles(particles=1000, resampling="systematic", coupling_drawn_per="particle")
+
+
+def with_particles(particles):
+    return SETTINGS.model_copy(update={"particles": particles})
 
 
 def streams(trials, role="filter:test"):
@@ -24,13 +30,13 @@ def streams(trials, role="filter:test"):
 @pytest.mark.parametrize("change", ["rate", "strength"])
 def test_without_coupling_mapf_is_mapf_nc(change):
     log = small_log("deadband", "base", trials=2, steps=5)
-    model = study.model(log.parameters)
+    model = STUDY.model(log.parameters)
     model = (
         model._replace(coupling_rate=0.0)
         if change == "rate"
         else model._replace(coupling=np.zeros((3, 3)))
     )
-    loop = study.channels(log, slice(None), log.parameters)
+    loop = STUDY.channels(log, slice(None))
     estimates = []
     for coupled in (True, False):
         filter_ = protocol_particles.auxiliary(model, SETTINGS, coupled=coupled)
@@ -44,8 +50,8 @@ def test_without_coupling_mapf_is_mapf_nc(change):
 def test_prior_mean_error():
     """The prior is centred on the truth: at k = 0 the error is that of a mean of 1000 draws."""
     log = small_log("deadband", "base", trials=300, steps=1)
-    _, runs = run(log, "dead_reckoning", SETTINGS)
-    rms = np.sqrt(study.squared_distance(runs)[:, 0].mean())
+    _, runs = run(log, "dead_reckoning", SETTINGS.plain())
+    rms = np.sqrt(squared_distance(runs)[:, 0].mean())
     assert rms == pytest.approx(np.sqrt(18 / 1000), rel=4 * 0.5 / np.sqrt(900))
 
 
@@ -126,7 +132,7 @@ def test_filters_approach_the_grid_filter(name):
     for build in (protocol_particles.auxiliary, protocol_particles.bootstrap):
         medians = []
         for size in sizes:
-            filter_ = build(model, SETTINGS | {"particles": size})
+            filter_ = build(model, with_particles(size))
             state = filter_.init(streams(REDUCED_TRIALS))
             for k in range(1, REDUCED_STEPS + 1):
                 state = filter_.step(state, k, data[k])
@@ -187,7 +193,7 @@ def test_mapf_and_mpf_have_one_limit():
     gaps = []
     for size in (500, 4500):
         first, second = (
-            run(log, name, SETTINGS | {"particles": size})[0] for name in ("mapf", "mpf")
+            run(log, name, with_particles(size).plain())[0] for name in ("mapf", "mpf")
         )
         gaps.append(np.sqrt(((first - second)[:, 1:] ** 2).mean()))
     assert gaps[1] < 0.6 * gaps[0]  # a third is expected

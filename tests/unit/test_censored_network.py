@@ -1,13 +1,20 @@
 """Dead band, saturation, random access, signal strength and the simulator of the three targets."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from repro.models.coupled_targets import SignalStrength, drift, log_squared_distance
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
 from repro.network.random_access import transmitted, transmitting_group
-from repro.studies.families import censored_network as study
-from tests.conftest import points, small_log
+from repro.papers.censored_network import claims
+from repro.parameters.load import load_paper
+from repro.parameters.values import ParameterError
+from repro.statistics.runs import Runs
+from repro.studies.deadband import STUDY
+from repro.studies.families.censored_network import sensors
+from tests.conftest import ROOT, points, small_log
 
 IDEAL = np.array([-11.0, -10.0, -9.99, 0.0, 9.99, 10.0, 11.0])
 
@@ -67,7 +74,7 @@ def test_simulated_rates_and_noise(log):
     for share, p in ((network[..., :3] == 1, 0.2), (network[..., 3:], 0.2)):
         assert share.mean() == pytest.approx(p, abs=4 * np.sqrt(p * (1 - p) / count))
     truth = log.values["/truth"].reshape(400, 81, 3, 3)
-    offset = truth[:, :, :, None, :2] - study.sensors(log.parameters).reshape(6, 2)
+    offset = truth[:, :, :, None, :2] - sensors(log.parameters).reshape(6, 2)
     ideal = log.values["/sensor"].reshape(400, 81, 3, 6)
     noise = ideal - (10 - 10 * np.log10((offset**2).sum(axis=-1)))
     assert noise.mean() == pytest.approx(0, abs=0.03)
@@ -100,15 +107,54 @@ def test_truth_starts_on_the_stated_states(log):
 
 
 def test_group_is_not_told(log):
-    offered = study.channels(log, slice(0, 5), log.parameters).at(3, None)
+    offered = STUDY.channels(log, slice(0, 5)).at(3, None)
     assert set(offered) == {"received", "code", "group_probability"}
     assert (offered["group_probability"] == [0.2, 0.8]).all()
-    told = study.channels(log, slice(0, 5), log.parameters | {"group_known": True}).at(3, None)
+    known = log._replace(parameters=log.parameters.model_copy(update={"group_known": True}))
+    told = STUDY.channels(known, slice(0, 5)).at(3, None)
     group = log.values["/network"][:5, 3, :3].astype(int) - 1
     np.testing.assert_array_equal(told["group_probability"].argmax(axis=-1), group)
 
 
 def test_both_studies_share_truth_settings():
     first, second = (points()[name]["base"].parameters for name in ("deadband", "saturation"))
-    differ = {key for key in first if first[key] != second[key]}
+    second = second.plain()
+    differ = {key for key, value in first.plain().items() if value != second[key]}
     assert differ == {"censoring", "lower_threshold", "upper_threshold"}
+
+
+def analysis():
+    values = load_paper(ROOT / "params/censored_network.yaml").analysis["deadband"]
+    return STUDY.Analysis.checked(values, "test")
+
+
+def test_a_target_is_lost_by_position_at_any_step_after_the_first():
+    error = np.zeros((4, 6, 9))
+    error[1, 0, 0] = 11.0  # before the first measurement
+    error[2, 3, 4] = 11.0  # py of target 2
+    error[3, 3, 5] = 11.0  # a heading
+    lost = STUDY.lost(Runs(error, None, np.zeros(4), {}), analysis())
+    np.testing.assert_array_equal(lost, [False, False, True, False])
+
+
+def test_every_group_needs_a_probability():
+    values = points()["deadband"]["base"].parameters.plain() | {"group_probabilities": [1.0]}
+    with pytest.raises(ParameterError, match="must be of one length; they have 1 and 2 entries"):
+        STUDY.Parameters.checked(values, "test")
+
+
+@pytest.mark.parametrize(
+    ("filter_", "dead_band", "saturation"),
+    [("mapf_nc", 1.152, 1.242), ("mapf_nmc", 1.608, 5.841), ("mpf", 1.018, 1.053)],
+)
+def test_ratios_of_the_published_averages(filter_, dead_band, saturation):
+    assert claims.published_ratio("deadband", filter_) == (dead_band, 300)
+    assert claims.published_ratio("saturation", filter_) == (saturation, 300)
+
+
+def test_claims_on_the_limits_of_the_likelihood():
+    results = SimpleNamespace(
+        log=lambda study, point: small_log(study, point), analysis=lambda study: analysis()
+    )
+    for part in (*claims.no_censoring_limit(results), *claims.no_coupling_limit(results)):
+        assert part.verdict(3.0) == "holds", part

@@ -14,9 +14,7 @@ def streams(trials, first=0):
 
 
 def test_normals_are_standard_and_independent():
-    drawn = particle_filter.standard_normal(
-        streams(4), 2, 25001
-    )  # an odd number, so that one is left
+    drawn = particle_filter.standard_normal(streams(4), 2, 25001)  # an odd number of each row
     assert drawn.shape == (4, 2, 25001)
     assert kstest(drawn.ravel(), "norm").pvalue > 1e-3
     rows = drawn.reshape(8, -1)
@@ -63,11 +61,11 @@ def test_rows_that_nothing_explains_are_counted_and_weighted_equally():
     particles = np.arange(12.0).reshape(2, 1, 1, 6)
     before = particle_filter.equally_weighted(particles, streams(2))
     log_weights = np.full((2, 1, 6), -np.inf)
-    log_weights[1] = -1e6 - np.arange(6)  # underflows as a whole, and keeps its order
+    log_weights[1] = -1e6 - np.arange(6)  # all underflow, and their order is kept
     after = particle_filter.weighted(particles, log_weights, before)
     np.testing.assert_array_equal(after.degenerate, [1, 0])
     np.testing.assert_allclose(after.weights[0], 1 / 6)
     assert after.weights[1, 0, 0] == pytest.approx(1 - np.exp(-1), rel=0.01)
     assert after.mean[0, 0, 0] == 2.5
-    found = particle_filter.as_filter(None, None).diagnostics(after)["effective_sample_size"]
-    assert found[0] == pytest.approx(6)
+    diagnostics = particle_filter.as_filter(None, None).diagnostics(after)
+    assert diagnostics["effective_sample_size"][0] == pytest.approx(6)

@@ -1,14 +1,16 @@
-"""The sensitivity table of the censored network, from runs whose order is known."""
+"""The sensitivity table of censored_network, from runs whose order is known."""
 
 import numpy as np
 import pandas as pd
 import pytest
 
 from repro.papers.censored_network import sensitivity
+from repro.papers.censored_network.time_averages import mean_of_roots
+from repro.parameters.load import load_paper
 from repro.statistics import metrics
 from repro.statistics.shards import Columns
-from repro.studies.families import censored_network as study
 from repro.tables.results import Results
+from tests.conftest import ROOT
 
 SCALE = {"mapf": 1.0, "mpf": 1.0, "mapf_nc": 2.0, "mapf_nmc": 1.5, "dead_reckoning": 3.0}
 
@@ -23,11 +25,12 @@ def results(tmp_path):
             error = scale * rng.standard_normal((40, 61, 9))
             np.savez(folder / "0.npz", trials=np.arange(40), error=error, degenerate=np.zeros(40))
     catalogue = {"deadband": {"base": [*SCALE], "sensitivity-speed=2": [*SCALE]}}
-    return Results(tmp_path, catalogue, 1)
+    analysis = load_paper(ROOT / "params/censored_network.yaml").analysis
+    return Results(tmp_path, catalogue, 1, analysis, tolerance=3.0)
 
 
 def test_orders_are_decided_on_paired_runs(results, tmp_path):
-    sensitivity.tabulate(results, "deadband", "sensitivity-", 3.0, tmp_path / "table.csv")
+    sensitivity.tabulate(results, "deadband", tmp_path / "table.csv")
     table = pd.read_csv(tmp_path / "table.csv")
     assert {"base", "speed=2", "horizon=50", "average_from=0"} <= set(table["reading"])
     orders = table[(table["metric"] == "order") & (table["reading"] == "speed=2")]
@@ -43,16 +46,16 @@ def test_orders_are_decided_on_paired_runs(results, tmp_path):
 
 
 def test_the_tables_statistic_is_that_of_claims_and_covers_the_spread():
-    """Target by target and step by step, and in one array: the same numbers."""
+    """Target by target and step by step, or in one array: the numbers are the same."""
     squared = np.random.default_rng(1).chisquare(2, (200, 30, 3))
     targets = [Columns(iter([squared[:, :, i]]), [200]) for i in range(3)]
     of_targets = [metrics.roots_over_steps(target) for target in targets]
     numbers = [*of_targets, metrics.average(of_targets)]
-    left_out = metrics.leave_one_out(squared, study.mean_of_roots)
+    left_out = metrics.leave_one_out(squared, mean_of_roots)
     np.testing.assert_allclose(np.transpose([n.left_out for n in numbers]), left_out, rtol=1e-12)
-    value = study.mean_of_roots(squared.mean(axis=0))
+    value = mean_of_roots(squared.mean(axis=0))
     np.testing.assert_allclose([n.value for n in numbers], value, rtol=1e-12)
     repeated = np.random.default_rng(2).chisquare(2, (300, 200, 30, 3))
-    spread = study.mean_of_roots(repeated.mean(axis=1)).std(axis=0)
+    spread = mean_of_roots(repeated.mean(axis=1)).std(axis=0)
     errors = [metrics.statistic(number).mcse for number in numbers]
     np.testing.assert_allclose(errors, spread, rtol=0.2)

@@ -1,4 +1,4 @@
-"""Dead reckoning: the particles of the MAPF without any measurement; not in the paper."""
+"""Dead reckoning: the particles of MAPF without any measurement. The paper does not have it."""
 
 from repro.filters import Filter
 from repro.filters.families import protocol_particles

@@ -1,4 +1,4 @@
-"""Modified auxiliary particle filter (Song et al., Algorithm 1)."""
+"""MAPF, the modified auxiliary particle filter [censored_network Algorithm 1]."""
 
 from repro.filters import Filter
 from repro.filters.families import protocol_particles

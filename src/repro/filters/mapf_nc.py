@@ -1,4 +1,4 @@
-"""MAPF that ignores the coupling of the targets when it draws particles."""
+"""MAPF-NC: draws its particles without the coupling of the targets [censored_network Sec. IV]."""
 
 from repro.filters import Filter
 from repro.filters.families import protocol_particles

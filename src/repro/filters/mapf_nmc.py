@@ -1,4 +1,4 @@
-"""MAPF that takes censored values at face value."""
+"""MAPF-NMC: takes censored values at face value [censored_network Sec. IV]."""
 
 from repro.filters import Filter
 from repro.filters.families import protocol_particles

@@ -1,4 +1,4 @@
-"""Modified particle filter: draws and likelihood of the MAPF, sequential importance resampling."""
+"""MPF: the draws and the likelihood of MAPF with standard resampling [censored_network Sec. IV]."""
 
 from repro.filters import Filter
 from repro.filters.families import protocol_particles

@@ -8,7 +8,7 @@ from repro.streams import Streams
 def standard_normal(streams: Streams, *shape: int) -> np.ndarray:
     """Standard normals, (trials, *shape): Box and Muller (1958) in array operations.
 
-    Twice as fast as the generators' own, which decide value by value; clouds need that many.
+    Twice as fast as the generators' own method, which branches for each value.
     """
     count = int(np.prod(shape))
     drawn = streams.uniform(2, (count + 1) // 2)

@@ -1,13 +1,13 @@
-"""Weights and resampling for every filter with particles, batched: (trials, particles)."""
+"""Weights and resampling of the particle filters, batched: (rows, particles)."""
 
 import numpy as np
 
 
 def normalised(log_weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Weights that sum to one along the last axis, and which rows were degenerate.
+    """Weights that sum to one along the last axis, and which rows are degenerate, (...,).
 
-    The largest log weight is subtracted first, so that a row that underflows as a whole keeps its
-    order. A row without any finite log weight gets equal weights and counts as degenerate.
+    The largest log weight is subtracted first, so that a row of very small weights keeps their
+    order. A row without any finite log weight gets equal weights and is degenerate.
     """
     largest = log_weights.max(axis=-1, keepdims=True)
     degenerate = ~np.isfinite(largest)
@@ -26,7 +26,7 @@ def effective_sample_size(weights: np.ndarray) -> np.ndarray:
 
 
 def systematic(weights: np.ndarray, uniform: np.ndarray) -> np.ndarray:
-    """Parents (rows, particles) by systematic resampling; one uniform a row.
+    """Parents (rows, particles), ascending, by systematic resampling; one uniform per row.
 
     Up to particle i there are ceil(N c_i - u) children, c the cumulative weights. So the parent
     of child j is the number of particles with at most j children up to them: a count, then a sum.
@@ -44,11 +44,11 @@ def systematic(weights: np.ndarray, uniform: np.ndarray) -> np.ndarray:
 
 
 def multinomial(weights: np.ndarray, uniforms: np.ndarray) -> np.ndarray:
-    """Parents (rows, particles), ascending, by multinomial resampling; one uniform a particle.
+    """Parents (rows, particles), ascending, by multinomial resampling; one uniform per particle.
 
-    Cumulative weights and uniforms are sorted together, as whole multiples of 2^-40, the uniforms
-    tagged with a half: the weights before a uniform count its parent. A binary search would branch
-    at random, and cost several times as much.
+    Cumulative weights and uniforms are sorted together, as integer multiples of 2^-40, and a half
+    is added to the uniforms to mark them: the number of weights before a uniform is its parent. A
+    binary search would branch at random and cost several times as much.
     """
     rows, particles = weights.shape
     keys = np.empty((rows, 2 * particles))

@@ -1,7 +1,7 @@
-"""Targets that disturb one another now and then, heard by signal-strength sensors.
+"""Randomly coupled targets and their signal-strength sensors [censored_network (23), (24)].
 
-Song et al., (23)-(24). State of a target: (px, py, phi) in m, m, rad; phi is not wrapped. Speed
-and turn rate are per step. Clouds keep components before particles, (..., nodes, 3, particles).
+State of a target: (px, py, phi) in m, m, rad; phi is not wrapped. Speed and turn rate are per
+step. Clouds keep components before particles, (..., nodes, 3, particles).
 """
 
 from typing import NamedTuple
@@ -11,14 +11,14 @@ import numpy as np
 from repro.models.mixture_noise import MixtureNoise
 from repro.network.censoring import Censoring
 
-# Distances are taken within 1e-9 ... 1e9 m, so that every signal strength is finite.
+# Distances are clipped to 1e-9 ... 1e9 m, so that every signal strength is finite.
 SQUARED_DISTANCE = (1e-18, 1e18)
 
 
 class SignalStrength(NamedTuple):
-    """(24) without noise: Phi_0 - 10 eta log10(distance / r_0), in dB."""
+    """Phi_0 - 10 eta log10(distance / r_0) in dB: [censored_network (24)] without noise."""
 
-    at_reference: float  # Phi_0
+    at_reference: float  # Phi_0 in dB
     path_loss_exponent: float  # eta
     reference_distance: float  # r_0 in m
 
@@ -28,9 +28,10 @@ class SignalStrength(NamedTuple):
         return self.at_reference - slope * np.log(self.reference_distance**2), slope
 
     def range(self) -> tuple[float, float]:
-        """The smallest and the largest strength there is."""
+        """The smallest and the largest strength, which the clipped distances give."""
         a, b = self.of_log_squared_distance()
-        return tuple(sorted(a + b * np.log(d2) for d2 in SQUARED_DISTANCE))
+        first, second = (float(a + b * np.log(d2)) for d2 in SQUARED_DISTANCE)
+        return min(first, second), max(first, second)
 
 
 class CoupledTargets(NamedTuple):
@@ -38,8 +39,8 @@ class CoupledTargets(NamedTuple):
 
     initial_mean: np.ndarray  # of all targets in one row, (nodes * 3,)
     initial_deviation: np.ndarray  # of each component, (3,)
-    speed: np.ndarray  # v of each target, m a step, (nodes,)
-    turn_rate: float  # Omega, rad a step
+    speed: np.ndarray  # v of each target, m per step, (nodes,)
+    turn_rate: float  # Omega, rad per step
     process_deviation: np.ndarray  # (3,)
     coupling: np.ndarray  # c, (nodes, nodes)
     coupling_rate: float  # alphabar
@@ -50,8 +51,11 @@ class CoupledTargets(NamedTuple):
 
 
 def drift(x: np.ndarray, speed: np.ndarray, turn_rate: float) -> np.ndarray:
-    """f of (23): the motion of uncoupled targets without noise; x (..., nodes, 3, particles)."""
-    # Cosine and sine from one tangent of the half angle, which costs a sixteenth of them.
+    """f of [censored_network (23)]: one step of uncoupled targets without noise.
+
+    x (..., nodes, 3, particles), speed (nodes,).
+    """
+    # Cosine and sine from one tangent of the half angle, at a sixteenth of their cost.
     half = x[..., 2, :] * 0.5
     tangent = np.tan(half, out=half)
     scale = tangent * tangent
@@ -69,7 +73,10 @@ def drift(x: np.ndarray, speed: np.ndarray, turn_rate: float) -> np.ndarray:
 
 
 def pull(states: np.ndarray, coupling: np.ndarray) -> np.ndarray:
-    """sum_j c^ij g(x^j) of (23), g the sine of every component; states (..., nodes, 3)."""
+    """sum_j c^ij g(x^j) of [censored_network (23)], g the sine of each component.
+
+    states (..., nodes, 3), coupling (nodes, nodes).
+    """
     return coupling @ np.sin(states)
 
 

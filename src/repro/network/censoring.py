@@ -1,7 +1,7 @@
-"""Censored measurements (Song et al., (4) and (5)): what arrives of an ideal reading, and a code.
+"""Censored measurements [censored_network (4), (5)]: what arrives of an ideal reading, and a code.
 
-The code is how a receiver knows a censored value: a constant may equal no reading by accident, but
-comparing floating-point numbers is not how to find out.
+The code tells a receiver which values are censored, so that no floating-point numbers need to be
+compared for equality.
 """
 
 from typing import NamedTuple
@@ -17,16 +17,16 @@ class Censoring(NamedTuple):
     kind: str  # "dead band" or "saturation"
     lower: float  # y_l
     upper: float  # y_r
-    constant: float  # y_const, what a dead band gives
+    constant: float  # y_const, which replaces a reading inside a dead band
 
 
 def censored(ideal: np.ndarray, censoring: Censoring) -> tuple[np.ndarray, np.ndarray]:
-    """Received values and their codes, shapes as `ideal`.
+    """Received values and their codes, each of the shape of `ideal`.
 
-    A boundary belongs to the passing case of (4) and to the censored case of (5).
+    A reading on a threshold passes a dead band (4) and is censored by saturation (5).
     """
     lower, upper = censoring.lower, censoring.upper
-    if censoring.kind == "dead band":  # (4); its third case is read as the ideal value
+    if censoring.kind == "dead band":  # (4); its third case is read as: the ideal value passes
         inside = (lower < ideal) & (ideal < upper)
         return np.where(inside, censoring.constant, ideal), np.where(inside, INSIDE, EXACT)
     codes = np.select([ideal <= lower, ideal >= upper], [BELOW, ABOVE], EXACT)  # (5)

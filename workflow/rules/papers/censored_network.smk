@@ -1,4 +1,4 @@
-# What only this paper has: which published order survives which unstated assumption. On request.
+# Which published order survives which unstated assumption. On request: its runs take minutes.
 rule sensitivity:
     input:
         runs=lambda wildcards: REGISTRY.run_files(

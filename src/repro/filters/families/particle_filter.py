@@ -1,29 +1,36 @@
-"""Core of every particle filter: weighted clouds, resampling, and the bootstrap step.
+"""Core of the particle filters: weighted clouds, resampling, bootstrap and auxiliary steps.
 
-A cloud is (trials, [nodes,] n, particles): components stand before particles, so that each
-component is contiguous in memory and a row (a trial, or a node of a trial) never mixes with
-another. A model written for trailing state axes takes the view np.moveaxis(cloud, -2, -1).
+A cloud is (trials, [nodes,] n, particles). Components come before particles, so that each is
+contiguous in memory; a row is a trial, or a node of a trial, and rows never mix. A model written
+for trailing state axes takes the view np.moveaxis(cloud, -2, -1).
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from repro.filters import Filter
 from repro.kernels import resampling
 from repro.kernels.normals import standard_normal
+from repro.parameters.settings import Resampling
 from repro.streams import Streams
 
 
 class Cloud(NamedTuple):
-    """Weighted particles of each row, and what is estimated from them."""
+    """Weighted particles of each row, and their mean."""
 
     particles: np.ndarray  # (trials, [nodes,] n, particles)
     weights: np.ndarray  # (trials, [nodes,] particles), each row sums to one
     mean: np.ndarray  # sum of w x, (trials, [nodes,] n)
-    degenerate: np.ndarray  # updates so far that no particle explained, (trials,)
-    streams: Streams  # of the filter, one a trial
+    degenerate: np.ndarray  # updates so far in which every weight was zero, (trials,)
+    streams: Streams  # of the filter, one per trial
+
+
+DrawInitial = Callable[[Streams], np.ndarray]  # particles of the prior
+Drift = Callable[[np.ndarray, int], np.ndarray]  # particles, k
+Draw = Callable[[np.ndarray, Cloud, int], np.ndarray]  # particles, cloud, k
+LogLikelihood = Callable[[np.ndarray, Any, int], np.ndarray]  # particles, seen, k
 
 
 def gaussian(streams: Streams, mean: np.ndarray, root: np.ndarray, particles: int) -> np.ndarray:
@@ -40,7 +47,7 @@ def equally_weighted(particles: np.ndarray, streams: Streams) -> Cloud:
 
 
 def weighted(particles: np.ndarray, log_weights: np.ndarray, before: Cloud) -> Cloud:
-    """The cloud with these log weights, (trials, [nodes,] particles), in any common scale.
+    """The cloud with these log weights, (trials, [nodes,] particles), up to a constant per row.
 
     A row whose log weights are all -inf gets equal weights and is counted as degenerate.
     """
@@ -54,8 +61,8 @@ def weighted(particles: np.ndarray, log_weights: np.ndarray, before: Cloud) -> C
     )
 
 
-def parents(weights: np.ndarray, streams: Streams, scheme: str = "systematic") -> np.ndarray:
-    """Indices of the drawn particles of each row, as the weights, (trials, [nodes,] particles)."""
+def parents(weights: np.ndarray, streams: Streams, scheme: Resampling = "systematic") -> np.ndarray:
+    """Indices of the resampled particles of each row; weights (trials, [nodes,] particles)."""
     *rows, count = weights.shape
     flat = weights.reshape(-1, count)
     if scheme == "systematic":
@@ -69,27 +76,30 @@ def taken(values: np.ndarray, chosen: np.ndarray) -> np.ndarray:
     """Values of the chosen particles; values (*rows, particles) or (*rows, n, particles)."""
     if values.ndim > chosen.ndim:
         chosen = chosen[..., None, :]
-    # One flat index into all rows: three times faster than numpy.take_along_axis.
+    # One flat index into all rows is three times as fast as numpy.take_along_axis.
     *rows, count = values.shape
     starts = np.arange(0, values.size, count).reshape(*rows, 1)
     return values.reshape(-1).take(starts + chosen)
 
 
 def bootstrap(
-    draw_initial: Callable, move: Callable, log_likelihood: Callable, scheme: str = "systematic"
+    draw_initial: DrawInitial,
+    move: Draw,
+    log_likelihood: LogLikelihood,
+    scheme: Resampling = "systematic",
 ) -> Filter:
     """Gordon, Salmond, Smith (1993): resample, move, weight; the estimate is the weighted mean.
 
-    draw_initial(streams)           -> particles of the prior
-    move(particles, cloud, k)       -> particles of step k from those of step k - 1, with noise from
-                                       cloud.streams; cloud.mean is the estimate of step k - 1
-    log_likelihood(particles, seen, k) -> (trials, [nodes,] particles), up to a constant of each row
+    draw_initial(streams)              -> particles of the prior
+    move(particles, cloud, k)          -> particles of step k from those of step k - 1, with noise
+                                          from cloud.streams; cloud.mean is the estimate of k - 1
+    log_likelihood(particles, seen, k) -> (trials, [nodes,] particles), up to a constant per row
     """
 
-    def init(streams):
+    def init(streams: Streams) -> Cloud:
         return equally_weighted(draw_initial(streams), streams)
 
-    def step(cloud, k, seen):
+    def step(cloud: Cloud, k: int, seen: Any) -> Cloud:
         chosen = parents(cloud.weights, cloud.streams, scheme)
         particles = move(taken(cloud.particles, chosen), cloud, k)
         return weighted(particles, log_likelihood(particles, seen, k), cloud)
@@ -98,35 +108,35 @@ def bootstrap(
 
 
 def auxiliary(
-    draw_initial: Callable,
-    drift: Callable,
-    disturb: Callable,
-    log_likelihood: Callable,
-    scheme: str = "systematic",
+    draw_initial: DrawInitial,
+    drift: Drift,
+    disturb: Draw,
+    log_likelihood: LogLikelihood,
+    scheme: Resampling = "systematic",
 ) -> Filter:
-    """Pitt, Shephard (1999) with drawn intermediate particles, as Song et al., Algorithm 1.
+    """Pitt, Shephard (1999) with drawn intermediate particles [censored_network Algorithm 1].
 
-    drift(particles, k)        -> what a transition is before its noise
+    drift(particles, k)        -> the transition without its noise
     disturb(moved, cloud, k)   -> one draw of the transition, with noise from cloud.streams
-    The two draws from a parent are independent: the same one twice would weigh nothing.
+    The two draws from a parent are independent; with the same draw twice all weights were equal.
     """
 
-    def init(streams):
+    def init(streams: Streams) -> Cloud:
         return equally_weighted(draw_initial(streams), streams)
 
-    def step(cloud, k, seen):
+    def step(cloud: Cloud, k: int, seen: Any) -> Cloud:
         moved = drift(cloud.particles, k)
-        # Intermediate particles; indices with probability prop. to w p(y | eta)
+        # Intermediate particles eta; an index has a probability proportional to w p(y | eta).
         first = log_likelihood(disturb(moved, cloud, k), seen, k)
         with np.errstate(divide="ignore"):
             log_first_stage = np.log(cloud.weights)
         log_first_stage += first
         first_stage, unexplained = resampling.normalised(log_first_stage)
         chosen = parents(first_stage, cloud.streams, scheme)
-        # A fresh draw from each chosen parent, weighted by p(y | x) / p(y | eta of the parent)
+        # A fresh draw from each chosen parent, weighted by p(y | x) / p(y | eta of the parent).
         particles = disturb(taken(moved, chosen), cloud, k)
         log_weights = log_likelihood(particles, seen, k)
-        if unexplained.any():  # there is no first stage to divide by
+        if unexplained.any():  # no first stage to divide by
             first = np.where(unexplained[..., None], 0.0, first)
         log_weights -= taken(first, chosen)
         counted = cloud.degenerate + unexplained.reshape(len(unexplained), -1).sum(axis=1)
@@ -135,8 +145,8 @@ def auxiliary(
     return as_filter(init, step)
 
 
-def as_filter(init: Callable, step: Callable) -> Filter:
-    """A filter whose state is a Cloud; the estimates of all nodes stand in one row."""
+def as_filter(init: Callable[[Streams], Cloud], step: Callable[[Cloud, int, Any], Cloud]) -> Filter:
+    """A filter whose state is a Cloud; the estimates of a trial's nodes are joined in one row."""
     return Filter(
         init,
         step,

@@ -1,12 +1,12 @@
-"""Protocol-based particle filters for a complex network (Song et al., Algorithm 1).
+"""Protocol-based particle filters for a complex network [censored_network Algorithm 1].
 
-The node filters run in lockstep: each uses the estimates of step k of the others as the known
-input of its coupling, and never one of step k + 1. The differences between the paper's filters
-are arguments: whether the coupling is drawn, whether the censoring is compensated, and whether
-particles are chosen with the new measurement (auxiliary) or without (bootstrap).
+The nodes' filters run in lockstep: each takes the others' estimates of step k, never of step
+k + 1, as the known input of its coupling. The paper's filters differ in three arguments: whether
+the coupling is drawn, whether the likelihood accounts for the censoring, and whether particles are
+chosen with the new measurement (auxiliary) or without it (bootstrap).
 """
 
-from typing import NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -14,25 +14,29 @@ from repro.filters import Filter
 from repro.filters.families import censored_likelihood, particle_filter
 from repro.models.coupled_targets import CoupledTargets, drift, pull
 from repro.parameters.settings import ProtocolParticles
+from repro.streams import Streams
 
 
 class Draws(NamedTuple):
-    """The draws of a filter: its prior, and the mixture (12)."""
+    """The random draws of a filter: its prior, and the mixture [censored_network (12)]."""
 
     model: CoupledTargets
     particles: int  # D
-    coupled: bool  # False is NC: the coupling is dropped, the stream is used all the same
-    bernoulli: str  # "particle": one a particle and draw; "step": one for all particles of a draw
+    coupled: bool  # False (NC) drops the coupling but draws the same random numbers
+    drawn_per: Literal["particle", "step"]  # "step": one Bernoulli variable for all particles
 
-    def initial(self, streams) -> np.ndarray:
+    def initial(self, streams: Streams) -> np.ndarray:
+        """Particles of the prior, (trials, nodes, 3, D)."""
         mean = self.model.initial_mean.reshape(-1, 3)
         root = np.diag(self.model.initial_deviation)
         return particle_filter.gaussian(streams, mean, root, self.particles)
 
     def drift(self, particles: np.ndarray, k: int) -> np.ndarray:
+        """f(x) of every particle."""
         return drift(particles, self.model.speed, self.model.turn_rate)
 
     def transition(self, particles: np.ndarray, cloud: particle_filter.Cloud, k: int) -> np.ndarray:
+        """A draw of (12) for each particle."""
         return self.mixture(self.drift(particles, k), cloud, k)
 
     def mixture(self, moved: np.ndarray, cloud: particle_filter.Cloud, k: int) -> np.ndarray:
@@ -41,7 +45,7 @@ class Draws(NamedTuple):
         drawn = particle_filter.standard_normal(cloud.streams, nodes, components, count)
         drawn *= self.model.process_deviation[:, None]
         drawn += moved
-        draws = count if self.bernoulli == "particle" else 1
+        draws = count if self.drawn_per == "particle" else 1
         on = cloud.streams.uniform(nodes, draws) < self.model.coupling_rate
         if self.coupled:
             push = pull(cloud.mean, self.model.coupling)
@@ -50,9 +54,12 @@ class Draws(NamedTuple):
 
 
 def auxiliary(
-    model: CoupledTargets, settings: ProtocolParticles, coupled=True, compensated=True
+    model: CoupledTargets,
+    settings: ProtocolParticles,
+    coupled: bool = True,
+    compensated: bool = True,
 ) -> Filter:
-    """Algorithm 1; weights (22)."""
+    """[censored_network Algorithm 1] with the weights (22)."""
     draws = _draws(model, settings, coupled)
     return particle_filter.auxiliary(
         draws.initial,
@@ -64,7 +71,7 @@ def auxiliary(
 
 
 def bootstrap(model: CoupledTargets, settings: ProtocolParticles) -> Filter:
-    """The same draws and likelihood in the standard resampling framework."""
+    """The same draws and likelihood with standard resampling."""
     draws = _draws(model, settings)
     return particle_filter.bootstrap(
         draws.initial,
@@ -78,10 +85,10 @@ def dead_reckoning(model: CoupledTargets, settings: ProtocolParticles) -> Filter
     """The same draws without a measurement."""
     draws = _draws(model, settings)
 
-    def init(streams):
+    def init(streams: Streams) -> particle_filter.Cloud:
         return particle_filter.equally_weighted(draws.initial(streams), streams)
 
-    def step(cloud, k, seen):
+    def step(cloud: particle_filter.Cloud, k: int, seen: Any) -> particle_filter.Cloud:
         particles = draws.transition(cloud.particles, cloud, k)
         return cloud._replace(particles=particles, mean=particles.mean(axis=-1))
 

@@ -1,4 +1,4 @@
-"""Claims of Song et al. (Tables I and II, Figures 2-15, Remark 3)."""
+"""Claims of censored_network: Tables I and II, Figures 2-15, Remark 3."""
 
 from itertools import product
 from types import SimpleNamespace
@@ -7,186 +7,253 @@ import numpy as np
 
 from repro.filters.families import censored_likelihood, protocol_particles
 from repro.network.censoring import Censoring, censored
+from repro.papers.censored_network.time_averages import CENSORING, POINT, TimeAverage, time_average
+from repro.parameters.settings import ProtocolParticles
 from repro.statistics import metrics
 from repro.streams import Streams
-from repro.studies.families import censored_network as study
+from repro.studies.deadband import STUDY  # that of `saturation` is the same
+from repro.studies.families.censored_network import COMPONENTS, TARGETS
 from repro.tables.results import Results
 from repro.verdicts.claims import Claim, Part, below, claim, most
+from repro.verdicts.published import read_published
 
 CLAIMS: list[Claim] = []
-STUDIES = {"deadband": "dead band", "saturation": "saturation"}
-RUNS = 300  # of the paper
-SETTINGS = {"particles": 1000, "resampling": "systematic", "coupling_drawn_per": "particle"}
-TRIED = 10  # trials on which an identity is tried
-AGREEMENT = 3.0  # standard errors of both within which a ratio agrees, as for the values
+PUBLISHED = "params/published/censored_network.csv"
+RATIO_DIGITS = 3  # decimals of a ratio of two averages that are printed with four
 
 
-def averages(results: Results, name: str, point: str, filter_: str):
-    """Time-averaged RMSE (targets + average) of all runs, and with one run left out each."""
-    of_targets = [
-        metrics.roots_over_steps(
-            results.each(
-                name, point, filter_, lambda runs, i=i: study.squared_distance(runs)[:, 1:, i]
-            )
-        )
-        for i in range(len(study.TARGETS))
-    ]
-    numbers = [*of_targets, metrics.average(of_targets)]
-    return (
-        np.array([number.value for number in numbers]),
-        np.stack([number.left_out for number in numbers], axis=1),
-    )
+def published_ratio(study: str, filter_: str) -> tuple[float, int]:
+    """Ratio of a filter's published average RMSE to that of MAPF, and the number of runs."""
+    rows = read_published(PUBLISHED)
+    averages = rows[
+        (rows["study"] == study)
+        & (rows["point"] == POINT)
+        & (rows["metric"] == "rmse")
+        & (rows["component"] == "average")
+    ].set_index("filter")
+    of_filter, of_mapf = (float(averages.at[name, "value"]) for name in (filter_, "mapf"))
+    return round(of_filter / of_mapf, RATIO_DIGITS), int(averages.at[filter_, "trials"])
 
 
-def difference(results: Results, name: str, first: str, second: str, component=-1, point="base"):
-    """The RMSE of `first` is smaller than that of `second` on the same runs."""
-    (a, a_left), (b, b_left) = (averages(results, name, point, f) for f in (first, second))
-    error = metrics.jackknife_error(a_left - b_left)
+def difference(results: Results, study: str, first: str, second: str, component: int = -1) -> Part:
+    """The RMSE of `first` is below that of `second`, paired over the runs."""
+    a, b = (time_average(results, study, filter_) for filter_ in (first, second))
+    error = metrics.jackknife_error(a.left_out - b.left_out)
     return Part(
-        f"{STUDIES[name]}, {study.COMPONENTS[component]}: {first} - {second}",
-        float((a - b)[component]),
+        f"{CENSORING[study]}, {COMPONENTS[component]}: {first} - {second}",
+        float((a.value - b.value)[component]),
         float(error[component]),
     )
 
 
-def ratio(results: Results, name: str, filter_: str) -> tuple[float, float]:
-    """Average RMSE of a filter over that of the MAPF, and its jackknife standard error."""
-    (a, a_left), (b, b_left) = (averages(results, name, "base", f) for f in (filter_, "mapf"))
-    return a[-1] / b[-1], float(metrics.jackknife_error(a_left[:, -1] / b_left[:, -1]))
+def ratio_to_mapf(results: Results, study: str, filter_: str) -> tuple[float, float]:
+    """Average RMSE of a filter over that of MAPF, and its jackknife standard error."""
+    a, b = (time_average(results, study, name) for name in (filter_, "mapf"))
+    left_out = a.left_out[:, -1] / b.left_out[:, -1]
+    return float(a.value[-1] / b.value[-1]), float(metrics.jackknife_error(left_out))
 
 
-def agrees(results: Results, name: str, filter_: str, published: float) -> Part:
-    """A printed ratio is ours within both Monte Carlo errors."""
-    ours, error = ratio(results, name, filter_)
-    trials = results.in_shards(name, "base", filter_).trials
-    allowed = AGREEMENT * error * np.hypot(1, np.sqrt(trials / RUNS))
-    what = f"{STUDIES[name]}: {ours:.3f} ± {error:.3f} against {published}: distance"
-    return below(what, abs(ours - published), allowed)
-
-
-@claim(
-    CLAIMS, "C-C1 below DR", "Figs. 2-4, 9-11: the MAPF tracks each target, below dead reckoning"
-)
-def tracks_better_than_dead_reckoning(results):
-    return [
-        difference(results, name, "mapf", "dead_reckoning", i)
-        for name, i in product(STUDIES, range(len(study.TARGETS)))
-    ]
-
-
-@claim(CLAIMS, "C-C1 bounded", "Figs. 2-4, 9-11: the error of the MAPF stays bounded")
-def stays_bounded(results):
-    return [
-        most(
-            f"{STUDIES[name]}: no error of any target above {study.LOST_ABOVE:g} m",
-            ~results.each(name, "base", "mapf", study.lost),
-        )
-        for name in STUDIES
-    ]
-
-
-@claim(CLAIMS, "C-C2 MAPF < NC", "Tables I-II: considering the coupling lowers the average RMSE")
-def coupling_considered(results):
-    return [difference(results, name, "mapf", "mapf_nc") for name in STUDIES]
-
-
-@claim(CLAIMS, "C-C2 NC < NMC", "Tables I-II: ignoring censoring costs more than ignoring coupling")
-def censoring_matters_more(results):
-    return [difference(results, name, "mapf_nc", "mapf_nmc") for name in STUDIES]
-
-
-@claim(CLAIMS, "C-C2 MAPF < MPF", "Tables I-II: auxiliary below standard resampling on average")
-def auxiliary_better(results):
-    return [difference(results, name, "mapf", "mpf") for name in STUDIES]
-
-
-@claim(CLAIMS, "C-C3", "Figs. 6-8, 13-15: the MAPF is the best for every target")
-def best_for_every_target(results):
-    return [
-        difference(results, name, "mapf", other, i)
-        for name, other, i in product(
-            STUDIES, ("mapf_nc", "mapf_nmc", "mpf"), range(len(study.TARGETS))
-        )
-    ]
-
-
-@claim(CLAIMS, "C-C4", "Tables I-II: NC is 1.152 and 1.242 times the MAPF")
-def price_of_ignoring_the_coupling(results):
-    return [
-        agrees(results, "deadband", "mapf_nc", 1.152),
-        agrees(results, "saturation", "mapf_nc", 1.242),
-    ]
-
-
-@claim(CLAIMS, "C-C5 ratios", "Tables I-II: NMC is 1.608 and 5.841 times the MAPF")
-def price_of_ignoring_the_censoring(results):
-    return [
-        agrees(results, "deadband", "mapf_nmc", 1.608),
-        agrees(results, "saturation", "mapf_nmc", 5.841),
-    ]
-
-
-@claim(CLAIMS, "C-C5 order", "Tables I-II: ignoring saturation costs far more than the dead band")
-def saturation_costs_more(results):
-    (first, a), (second, b) = (ratio(results, name, "mapf_nmc") for name in STUDIES)
-    what = "NMC/MAPF: twice that of the dead band - that of saturation"
-    return [Part(what, 2 * first - second, float(np.hypot(2 * a, b)))]
-
-
-@claim(CLAIMS, "C-C6", "Tables I-II: MPF is 1.018 and 1.053 times the MAPF")
-def price_of_standard_resampling(results):
-    return [
-        agrees(results, "deadband", "mpf", 1.018),
-        agrees(results, "saturation", "mpf", 1.053),
-    ]
-
-
-@claim(CLAIMS, "C-C7", "Tables I-II: saturation below dead band for MAPF, NC, MPF; above for NMC")
-def saturation_against_dead_band(results):
+def ratios_as_published(results: Results, filter_: str) -> list[Part]:
+    """The ratio of a filter to MAPF is the published one, within both Monte Carlo errors."""
     parts = []
-    for filter_, sign in (("mapf", 1), ("mapf_nc", 1), ("mpf", 1), ("mapf_nmc", -1)):
-        (a, a_left), (b, b_left) = (averages(results, name, "base", filter_) for name in STUDIES)
-        error = np.hypot(*(metrics.jackknife_error(left[:, -1]) for left in (a_left, b_left)))
-        what = "saturation - dead band" if sign > 0 else "dead band - saturation"
-        parts.append(Part(f"{filter_}: {what}", float(sign * (b - a)[-1]), float(error)))
+    for study, words in CENSORING.items():
+        published, runs = published_ratio(study, filter_)
+        ours, error = ratio_to_mapf(results, study, filter_)
+        trials = results.in_shards(study, POINT, filter_).trials
+        allowed = results.tolerance * error * np.hypot(1, np.sqrt(trials / runs))
+        comparison = f"{words}: {ours:.3f} ± {error:.3f}, published {published}: distance"
+        parts.append(below(comparison, abs(ours - published), float(allowed)))
     return parts
 
 
-@claim(CLAIMS, "C-C8 censoring", "Remark 3: y_l = y_r in (4), or infinite in (5), censor nothing")
-def limits_of_the_censoring(results):
-    log = results.log("deadband", "base")
-    known = study.model(log.parameters)
-    particles = protocol_particles.Draws(known, 1000, True, "particle").initial(
-        Streams(log.seed, "claims", "filter:limits", log.trials[:TRIED].tolist())
-    )
-    step = study.channels(log, slice(TRIED), log.parameters).at(1, None)
+@claim(
+    CLAIMS,
+    "mapf-below-dead-reckoning",
+    "Figs. 2-4, 9-11: MAPF tracks every target with a smaller error than dead reckoning.",
+)
+def mapf_below_dead_reckoning(results: Results) -> list[Part]:
+    return [
+        difference(results, study, "mapf", "dead_reckoning", i)
+        for study, i in product(CENSORING, range(len(TARGETS)))
+    ]
+
+
+@claim(
+    CLAIMS,
+    "mapf-error-bounded",
+    "Figs. 2-4, 9-11: the error of MAPF stays bounded in most runs.",
+)
+def mapf_error_bounded(results: Results) -> list[Part]:
     parts = []
-    for kind, threshold in (("dead band", 0.0), ("saturation", 1e9)):
+    for study, words in CENSORING.items():
+        analysis = results.analysis(study)
+        lost = results.each(study, POINT, "mapf", lambda runs, a=analysis: STUDY.lost(runs, a))
+        parts.append(most(f"{words}: no target's error above {analysis.lost_above:g} m", ~lost))
+    return parts
+
+
+@claim(
+    CLAIMS,
+    "mapf-below-nc",
+    "Tables I-II: MAPF, which models the coupling, has a smaller average RMSE than MAPF-NC.",
+)
+def mapf_below_nc(results: Results) -> list[Part]:
+    return [difference(results, study, "mapf", "mapf_nc") for study in CENSORING]
+
+
+@claim(
+    CLAIMS,
+    "nc-below-nmc",
+    "Tables I-II: ignoring the censoring costs more than ignoring the coupling.",
+)
+def nc_below_nmc(results: Results) -> list[Part]:
+    return [difference(results, study, "mapf_nc", "mapf_nmc") for study in CENSORING]
+
+
+@claim(
+    CLAIMS,
+    "mapf-below-mpf",
+    "Tables I-II: auxiliary resampling gives a smaller average RMSE than standard resampling.",
+)
+def mapf_below_mpf(results: Results) -> list[Part]:
+    return [difference(results, study, "mapf", "mpf") for study in CENSORING]
+
+
+@claim(
+    CLAIMS,
+    "mapf-best-for-every-target",
+    "Figs. 6-8, 13-15: MAPF has the smallest error of the four filters for every target.",
+)
+def mapf_best_for_every_target(results: Results) -> list[Part]:
+    return [
+        difference(results, study, "mapf", other, i)
+        for study, other, i in product(
+            CENSORING, ("mapf_nc", "mapf_nmc", "mpf"), range(len(TARGETS))
+        )
+    ]
+
+
+@claim(
+    CLAIMS,
+    "nc-to-mapf-ratio",
+    "Tables I-II: ignoring the coupling raises the average RMSE by the published factors.",
+)
+def nc_to_mapf_ratio(results: Results) -> list[Part]:
+    return ratios_as_published(results, "mapf_nc")
+
+
+@claim(
+    CLAIMS,
+    "nmc-to-mapf-ratio",
+    "Tables I-II: ignoring the censoring raises the average RMSE by the published factors.",
+)
+def nmc_to_mapf_ratio(results: Results) -> list[Part]:
+    return ratios_as_published(results, "mapf_nmc")
+
+
+@claim(
+    CLAIMS,
+    "saturation-costlier-than-dead-band",
+    "Tables I-II: ignoring saturation costs far more than ignoring the dead band.",
+)
+def saturation_costlier_than_dead_band(results: Results) -> list[Part]:
+    factor = results.analysis("saturation").far_costlier
+    (dead_band, a), (saturation, b) = (
+        ratio_to_mapf(results, study, "mapf_nmc") for study in ("deadband", "saturation")
+    )
+    comparison = f"NMC/MAPF: {factor:g} times that of the dead band - that of saturation"
+    return [Part(comparison, factor * dead_band - saturation, float(np.hypot(factor * a, b)))]
+
+
+@claim(
+    CLAIMS,
+    "mpf-to-mapf-ratio",
+    "Tables I-II: standard resampling raises the average RMSE by the published factors.",
+)
+def mpf_to_mapf_ratio(results: Results) -> list[Part]:
+    return ratios_as_published(results, "mpf")
+
+
+@claim(
+    CLAIMS,
+    "saturation-below-dead-band",
+    "Tables I-II: the average RMSE is smaller under saturation than under the dead band for "
+    "MAPF, MAPF-NC and MPF, and larger for MAPF-NMC.",
+)
+def saturation_below_dead_band(results: Results) -> list[Part]:
+    parts = []
+    for filter_, sign in (("mapf", 1), ("mapf_nc", 1), ("mpf", 1), ("mapf_nmc", -1)):
+        dead_band, saturation = (
+            time_average(results, study, filter_) for study in ("deadband", "saturation")
+        )
+        error = np.hypot(_error_of_average(dead_band), _error_of_average(saturation))
+        words = "saturation - dead band" if sign > 0 else "dead band - saturation"
+        gap = sign * (saturation.value - dead_band.value)[-1]
+        parts.append(Part(f"{filter_}: {words}", float(gap), float(error)))
+    return parts
+
+
+def _error_of_average(average: TimeAverage) -> np.ndarray:
+    return metrics.jackknife_error(average.left_out[:, -1])
+
+
+@claim(
+    CLAIMS,
+    "no-censoring-limit",
+    "Remark 3: without censoring (equal thresholds of the dead band, infinite ones of the "
+    "saturation) the likelihood is the uncensored one.",
+)
+def no_censoring_limit(results: Results) -> list[Part]:
+    log, analysis = results.log("deadband", POINT), results.analysis("deadband")
+    known = STUDY.model(log.parameters)
+    tested = slice(analysis.identity_trials)
+    draws = protocol_particles.Draws(known, analysis.identity_particles, True, "particle")
+    particles = draws.initial(
+        Streams(log.seed, "claims", "filter:limits", log.trials[tested].tolist())
+    )
+    step = STUDY.channels(log, tested).at(1, known.initial_mean)
+    parts = []
+    for kind, threshold in (("dead band", 0.0), ("saturation", np.inf)):
         limit = known._replace(censoring=Censoring(kind, -threshold, threshold, 0.0))
         received, code = censored(step["received"], limit.censoring)
         seen = SimpleNamespace(**step | {"received": received, "code": code})
         both = [
-            censored_likelihood.build(limit, flag)(particles, seen, 1) for flag in (True, False)
+            censored_likelihood.build(limit, compensated)(particles, seen, 1)
+            for compensated in (True, False)
         ]
-        parts.append(below(f"{kind}: difference of log likelihoods", _gap(*both), 1e-12))
+        comparison = f"{kind}: difference of log likelihoods"
+        parts.append(below(comparison, _gap(*both), analysis.identity_tolerance))
     return parts
 
 
-@claim(CLAIMS, "C-C8 coupling", "Remark 3: alphabar = 0 gives the filter without coupling")
-def limit_of_the_coupling(results):
-    log = results.log("deadband", "base")
-    known = study.model(log.parameters)._replace(coupling_rate=0.0)
-    loop = study.channels(log, slice(TRIED), log.parameters)
+@claim(
+    CLAIMS,
+    "no-coupling-limit",
+    "Remark 3: with a coupling rate of zero MAPF is the filter without coupling.",
+)
+def no_coupling_limit(results: Results) -> list[Part]:
+    log, analysis = results.log("deadband", POINT), results.analysis("deadband")
+    known = STUDY.model(log.parameters)._replace(coupling_rate=0.0)
+    tested = slice(analysis.identity_trials)
+    channels = STUDY.channels(log, tested)
+    # The identity does not depend on how particles are resampled and the coupling is drawn.
+    settings = ProtocolParticles(
+        particles=analysis.identity_particles,
+        resampling="systematic",
+        coupling_drawn_per="particle",
+    )
     estimates = []
     for coupled in (True, False):
-        filter_ = protocol_particles.auxiliary(known, SETTINGS, coupled=coupled)
+        filter_ = protocol_particles.auxiliary(known, settings, coupled=coupled)
         state = filter_.init(
-            Streams(log.seed, "claims", "filter:limits", log.trials[:TRIED].tolist())
+            Streams(log.seed, "claims", "filter:limits", log.trials[tested].tolist())
         )
-        for k in range(1, 6):
-            state = filter_.step(state, k, SimpleNamespace(**loop.at(k, None)))
+        for k in range(1, analysis.identity_steps + 1):
+            seen = SimpleNamespace(**channels.at(k, filter_.mean(state)))
+            state = filter_.step(state, k, seen)
         estimates.append(filter_.mean(state))
-    return [below("difference of estimates after five steps", _gap(*estimates), 1e-12)]
+    comparison = f"difference of estimates at step {analysis.identity_steps}"
+    return [below(comparison, _gap(*estimates), analysis.identity_tolerance)]
 
 
 def _gap(first: np.ndarray, second: np.ndarray) -> float:

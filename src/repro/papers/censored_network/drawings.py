@@ -1,44 +1,41 @@
-"""Figures 2-15 and Tables I and II of Song et al.: tracks, received values, RMSE over k."""
+"""Figures 2-15 and Tables I and II of censored_network: tracks, received values, RMSE over k."""
 
 import numpy as np
 from matplotlib.figure import Figure
 
 from repro.network.censoring import EXACT
-from repro.papers.censored_network.claims import averages
+from repro.papers.censored_network.time_averages import POINT, time_average
 from repro.plot import style
-from repro.statistics import metrics
-from repro.studies.families import censored_network as study
+from repro.studies.families.censored_network import COMPONENTS, STATE, sensors
 from repro.tables.results import Results
 
-POINT = "base"
 MODEL = {"deadband": "DBLMC", "saturation": "SLMC"}
-WITHOUT_MODEL = ("dead_reckoning",)  # it sees no measurement to censor
+WITHOUT_MODEL = ("dead_reckoning",)  # uses no measurement that could be censored
 
 
-def look(results: Results, name: str, filter_: str) -> dict:
-    """Colour and marker; dead reckoning, which is no rival but the line to beat, is grey."""
+def look(results: Results, study: str, filter_: str) -> dict:
+    """Colour and marker; dead reckoning, the baseline that every filter should beat, is grey."""
     if filter_ in WITHOUT_MODEL:
         return {"color": "0.45", "marker": None, "linestyle": "--"}
-    return style.look(results.catalogue, name, filter_)
+    return style.look(results.catalogue, study, filter_)
 
 
-def label(name: str, filter_: str) -> str:
+def label(study: str, filter_: str) -> str:
     """The paper's name of a filter: MAPF-DBLMC-NC for MAPF-NC in the study deadband."""
     if filter_ in WITHOUT_MODEL:
         return style.label(filter_)
     kind, *variant = style.label(filter_).split("-", 1)
-    return "-".join([kind, MODEL[name], *variant])
+    return "-".join([kind, MODEL[study], *variant])
 
 
-def track(results: Results, name: str, target: int, trial: int) -> Figure:
+def track(results: Results, study: str, target: int, trial: int) -> Figure:
     """True and estimated positions of one target in one run, with the sensors."""
-    log = results.log(name, POINT)
-    columns = slice(3 * target - 3, 3 * target - 1)
+    log = results.log(study, POINT)
+    first = len(STATE) * (target - 1)
+    columns = slice(first, first + 2)
     truth = log.values["/truth"][trial, :, columns]
     drawn, axes = style.figure(size=(6.0, 4.8))
-    for group, (positions, marker) in enumerate(
-        zip(study.sensors(log.parameters), "^v", strict=True)
-    ):
+    for group, (positions, marker) in enumerate(zip(sensors(log.parameters), "^v", strict=True)):
         axes.plot(
             *positions.T,
             marker,
@@ -49,15 +46,15 @@ def track(results: Results, name: str, target: int, trial: int) -> Figure:
         )
     axes.plot(*truth.T, color="black", lw=1.6, label="true")
     for filter_ in ("dead_reckoning", "mapf"):
-        error = results.runs(name, POINT, filter_).error[trial, :, columns]
-        line = look(results, name, filter_) | {"marker": "." if filter_ == "mapf" else None}
+        error = results.runs(study, POINT, filter_).error[trial, :, columns]
+        line = look(results, study, filter_) | {"marker": "." if filter_ == "mapf" else None}
         rms = np.sqrt((error[1:] ** 2).sum(axis=1).mean())
         axes.plot(
             *(truth + error).T,
             lw=1.1,
             ms=4,
             **line,
-            label=f"{label(name, filter_)}, {rms:.2f} m rms",
+            label=f"{label(study, filter_)}, {rms:.2f} m rms",
         )
     axes.plot(*truth[0], "o", color="black", ms=5)
     axes.annotate("k = 0", truth[0], xytext=(6, -10), textcoords="offset points", fontsize=8)
@@ -71,9 +68,9 @@ def track(results: Results, name: str, target: int, trial: int) -> Figure:
     return drawn
 
 
-def first_component(results: Results, name: str, trial: int) -> Figure:
+def first_component(results: Results, study: str, trial: int) -> Figure:
     """Target 1: which group transmits, and the first of the three values that arrive."""
-    log = results.log(name, POINT)
+    log = results.log(study, POINT)
     group = log.field("/network", "group_1")[trial, 1:]
     value = log.field("/received", "value_1_1")[trial, 1:]
     exact = log.field("/received", "code_1_1")[trial, 1:] == EXACT
@@ -95,8 +92,8 @@ def first_component(results: Results, name: str, trial: int) -> Figure:
     upper.plot(
         k[~exact], value[~exact], "s", mfc="none", color="#D55E00", ms=5, label="received, censored"
     )
-    for threshold in ("lower_threshold", "upper_threshold"):
-        upper.axhline(log.parameters[threshold], color="0.4", ls=":", lw=1)
+    for threshold in (log.parameters.lower_threshold, log.parameters.upper_threshold):
+        upper.axhline(threshold, color="0.4", ls=":", lw=1)
     upper.set(ylabel=r"first component of $y_k^1$ in dB", title=f"target 1, run {trial}")
     drawn.legend(fontsize=7.5, ncols=2, loc="outside lower center")
     lower.plot(k, group, "s", color="black", ms=3)
@@ -104,19 +101,19 @@ def first_component(results: Results, name: str, trial: int) -> Figure:
     return drawn
 
 
-def rmse_over_k(results: Results, name: str, target: int) -> Figure:
+def rmse_over_k(results: Results, study: str, target: int) -> Figure:
     """RMSE over k of every filter, a band of two standard errors, and the printed averages."""
-    curves = results.curves(name)
+    curves = results.curves(study)
     curves = curves[(curves["metric"] == "rmse") & (curves["component"] == f"target_{target}")]
     published = results.diff()
-    here = (published["study"] == name) & (published["component"] == f"target_{target}")
+    here = (published["study"] == study) & (published["component"] == f"target_{target}")
     published = published[here].set_index("filter")["published"]
     drawn, axes = style.figure(size=(7.2, 4.6))
-    for filter_ in results.filters(name, POINT):
+    for filter_ in results.filters(study, POINT):
         rows = curves[(curves["point"] == POINT) & (curves["filter"] == filter_)]
-        line = look(results, name, filter_)
+        line = look(results, study, filter_)
         axes.plot(
-            rows["k"], rows["value"], lw=1.4, ms=4, markevery=8, label=label(name, filter_), **line
+            rows["k"], rows["value"], lw=1.4, ms=4, markevery=8, label=label(study, filter_), **line
         )
         band = 2 * rows["mcse"]
         axes.fill_between(
@@ -138,26 +135,25 @@ def rmse_over_k(results: Results, name: str, target: int) -> Figure:
     axes.set(
         xlabel="k (steps)",
         ylabel="position RMSE in m",
-        title=f"target {target}, {len(results.runs(name, POINT, 'mapf').error)} runs",
+        title=f"target {target}, {results.in_shards(study, POINT, 'mapf').trials} runs",
     )
     style.plain_log(axes)
     axes.legend(fontsize=8, ncols=2)
     return drawn
 
 
-def time_averages(results: Results, name: str) -> Figure:
+def time_averages(results: Results, study: str) -> Figure:
     """The table of time-averaged RMSE, published and ours, with both standard errors."""
     diff = results.diff()
-    diff = diff[diff["study"] == name].set_index(["filter", "component"])
+    diff = diff[diff["study"] == study].set_index(["filter", "component"])
     drawn, grid = style.figure(1, 4, size=(9.2, 3.9), sharey=True)
-    filters = results.filters(name, POINT)
-    found = {filter_: averages(results, name, POINT, filter_) for filter_ in filters}
-    for i, (component, axes) in enumerate(zip(study.COMPONENTS, grid, strict=True)):
-        for place, filter_ in enumerate(filters):
-            value, left_out = found[filter_]
-            colour = look(results, name, filter_)["color"]
-            error = metrics.jackknife_error(left_out)[i]
-            axes.errorbar(place + 0.12, value[i], 2 * error, fmt="o", ms=5, color=colour, capsize=3)
+    filters = results.filters(study, POINT)
+    averages = {filter_: time_average(results, study, filter_) for filter_ in filters}
+    for i, (component, axes) in enumerate(zip(COMPONENTS, grid, strict=True)):
+        for place, (filter_, average) in enumerate(averages.items()):
+            colour = look(results, study, filter_)["color"]
+            value, error = average.value[i], average.mcse()[i]
+            axes.errorbar(place + 0.12, value, 2 * error, fmt="o", ms=5, color=colour, capsize=3)
             if (filter_, component) in diff.index:
                 row = diff.loc[(filter_, component)]
                 axes.errorbar(
@@ -175,7 +171,7 @@ def time_averages(results: Results, name: str) -> Figure:
             xlim=(-0.6, len(filters) - 0.4),
         )
         axes.set_xticklabels(
-            [label(name, f) for f in filters], rotation=40, ha="right", fontsize=7.5
+            [label(study, f) for f in filters], rotation=40, ha="right", fontsize=7.5
         )
         style.plain_log(axes)
     grid[0].errorbar([], [], [], fmt="_", ms=11, color="black", capsize=3, label="published")
@@ -191,14 +187,14 @@ def sensitivity(results: Results) -> Figure:
         2, 2, size=(10.5, 8.6), sharey="row", gridspec_kw={"width_ratios": [3, 1.4]}
     )
     marks = {"holds": ("o", "full"), "undecided": ("o", "none"), "fails": ("X", "full")}
-    for name, (left, right) in zip(MODEL, grid, strict=True):
-        table = results.table(f"{name}_sensitivity")
+    for study, (left, right) in zip(MODEL, grid, strict=True):
+        table = results.table(f"{study}_sensitivity")
         readings = list(dict.fromkeys(table["reading"]))
         levels = table[table["metric"] == "rmse"]
         for filter_ in dict.fromkeys(levels["filter"]):
             rows = levels[levels["filter"] == filter_]
             place = [readings.index(reading) for reading in rows["reading"]]
-            line = look(results, name, filter_) | {"linestyle": "none"}
+            line = look(results, study, filter_) | {"linestyle": "none"}
             line["marker"] = line["marker"] or "|"
             left.errorbar(
                 rows["value"],
@@ -208,20 +204,22 @@ def sensitivity(results: Results) -> Figure:
                 label=style.label(filter_),
                 **line,
             )
-        left.set(xscale="log", xlabel="RMSE in m, mean of the targets and of k", title=MODEL[name])
+        left.set(xscale="log", xlabel="RMSE in m, mean of the targets and of k", title=MODEL[study])
         left.set_yticks(np.arange(len(readings)), readings, fontsize=8)
         left.invert_yaxis()
         style.plain_log(left, "x")
         orders = table[table["metric"] == "order"]
         columns = list(dict.fromkeys(orders["filter"]))
-        for row in orders.itertuples():
-            marker, fill = marks[row.verdict]
+        for order, reading, verdict in zip(
+            orders["filter"], orders["reading"], orders["verdict"], strict=True
+        ):
+            marker, fill = marks[verdict]
             right.plot(
-                columns.index(row.filter),
-                readings.index(row.reading),
+                columns.index(order),
+                readings.index(reading),
                 marker,
                 fillstyle=fill,
-                color="#D55E00" if row.verdict == "fails" else "black",
+                color="#D55E00" if verdict == "fails" else "black",
                 ms=7,
             )
         names = [

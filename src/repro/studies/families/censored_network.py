@@ -1,8 +1,10 @@
-"""Three coupled targets, censoring sensors and a random access protocol (Song et al., Sec. IV).
+"""Three coupled targets, censored measurements, random access [censored_network Sec. IV].
 
-The studies `deadband` and `saturation` are this one; what differs stands in their parameters.
+The studies `deadband` and `saturation` are instances of this one; only their parameters differ.
+Equation numbers are those of that paper.
 """
 
+from collections.abc import Callable
 from typing import Annotated, Literal, Self
 
 import numpy as np
@@ -27,57 +29,106 @@ from repro.parameters.values import (
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
-from repro.studies import Rows, StreamsOf, Study
+from repro.studies import Fields, Rows, StreamsOf, Study
 
 TARGETS = ("1", "2", "3")
 COMPONENTS = (*(f"target_{i}" for i in TARGETS), "average")
 STATE = ("px", "py", "phi")
 
+Deviations = tuple[NotNegative, NotNegative, NotNegative]
+
 
 class Parameters(PointParameters):
-    """Values of one point."""
+    """Values of one point [censored_network (1)-(7), (23)-(25)]."""
 
-    initial_states: tuple[Triple, Triple, Triple]
-    initial_deviation: tuple[NotNegative, NotNegative, NotNegative]
-    speed: Triple
-    turn_rate: float
-    process_deviation: tuple[NotNegative, NotNegative, NotNegative]
-    coupling_strength: NotNegative
-    self_coupling_strength: NotNegative
-    coupling_rate: Probability
+    initial_states: Annotated[
+        tuple[Triple, Triple, Triple],
+        Field(description="m, m, rad; true state of each target at k = 0, and the prior mean"),
+    ]
+    initial_deviation: Annotated[
+        Deviations, Field(description="m, m, rad; standard deviation of the prior")
+    ]
+    speed: Annotated[Triple, Field(description="m per step, v of each target")]
+    turn_rate: Annotated[float, Field(description="rad per step, Omega")]
+    process_deviation: Annotated[
+        Deviations, Field(description="m, m, rad; standard deviation of the process noise")
+    ]
+    coupling_strength: Annotated[
+        NotNegative, Field(description="m or rad as the state, c^ij between two targets")
+    ]
+    self_coupling_strength: Annotated[
+        NotNegative, Field(description="m or rad as the state, c^ii of a target on itself")
+    ]
+    coupling_rate: Annotated[
+        Probability, Field(description="1, alphabar: probability that a target is coupled")
+    ]
     sensor_groups: Annotated[
         tuple[Annotated[tuple[Pair, ...], Field(min_length=1)], ...],
-        Field(min_length=1),
+        Field(min_length=1, description="m, position of each sensor of each group"),
         Rectangular,
     ]
-    group_probabilities: Annotated[tuple[Probability, ...], Field(min_length=1)]
-    group_known: bool
-    strength_at_reference: float
-    path_loss_exponent: Annotated[float, Field(gt=0, le=10)]
-    reference_distance: Annotated[float, Field(ge=0.001)]
-    glint_probability: Probability
-    nominal_deviation: Positive
-    glint_deviation: Positive
-    censoring: Literal["dead band", "saturation"]
-    lower_threshold: float
-    upper_threshold: float
-    dead_band_constant: float
+    group_probabilities: Annotated[
+        tuple[Probability, ...],
+        Field(min_length=1, description="1, p_m: probability that group m transmits"),
+    ]
+    group_known: Annotated[
+        bool, Field(description="whether the filters are told which group transmits")
+    ]
+    strength_at_reference: Annotated[
+        float, Field(description="dB, Phi_0: signal strength at the reference distance")
+    ]
+    path_loss_exponent: Annotated[float, Field(gt=0, le=10, description="1, eta")]
+    reference_distance: Annotated[float, Field(ge=0.001, description="m, r_0")]
+    glint_probability: Annotated[
+        Probability, Field(description="1, kappa: weight of the wide noise component")
+    ]
+    nominal_deviation: Annotated[
+        Positive, Field(description="dB, sigma_1: standard deviation of the narrow component")
+    ]
+    glint_deviation: Annotated[
+        Positive, Field(description="dB, sigma_2: standard deviation of the wide component")
+    ]
+    censoring: Annotated[
+        Literal["dead band", "saturation"], Field(description="censoring model, (4) or (5)")
+    ]
+    lower_threshold: Annotated[float, Field(description="dB, y_l")]
+    upper_threshold: Annotated[float, Field(description="dB, y_r")]
+    dead_band_constant: Annotated[
+        float, Field(description="dB, y_const: what arrives of a reading inside the dead band")
+    ]
 
     @model_validator(mode="after")
     def _every_group_has_a_probability(self) -> Self:
         if len(self.group_probabilities) != len(self.sensor_groups):
             raise ValueError(
-                f"group_probabilities has {len(self.group_probabilities)} entries; "
-                f"sensor_groups asks for {len(self.sensor_groups)}"
+                "group_probabilities and sensor_groups must be of one length; "
+                f"they have {len(self.group_probabilities)} and {len(self.sensor_groups)} entries"
             )
         return self
 
 
 class Analysis(Values):
-    """When a run has lost a target, and what a short horizon is."""
+    """Thresholds of the metrics and of the claims."""
 
-    lost_above: Annotated[Positive, Field(description="m, error of a target in a lost run")]
-    short_horizon: Annotated[int, Field(ge=1, description="steps that a shorter horizon has")]
+    lost_above: Annotated[
+        Positive, Field(description="m, position error above which a target is lost")
+    ]
+    short_horizon: Annotated[
+        int, Field(ge=1, description="steps over which the RMSE is averaged besides all")
+    ]
+    far_costlier: Annotated[
+        Positive, Field(description="1, factor by which one cost must exceed another")
+    ]
+    identity_trials: Annotated[
+        int, Field(ge=1, description="trials on which an identity is tested")
+    ]
+    identity_steps: Annotated[int, Field(ge=1, description="steps over which it is tested")]
+    identity_particles: Annotated[
+        int, Field(ge=2, description="particles per node with which it is tested")
+    ]
+    identity_tolerance: Annotated[
+        Positive, Field(description="largest difference by which it still holds")
+    ]
 
 
 def sensors(parameters: Parameters) -> np.ndarray:
@@ -92,33 +143,18 @@ def _coupling(parameters: Parameters) -> np.ndarray:
     return matrix
 
 
-def squared_distance(runs) -> np.ndarray:
-    """Squared position errors of every target, (trials, steps + 1, targets), in m^2."""
+def squared_distance(runs: Runs) -> np.ndarray:
+    """Squared position error of each target, (trials, steps + 1, targets), in m^2."""
     error = runs.error.reshape(*runs.error.shape[:2], len(TARGETS), len(STATE))
     return (error[..., :2] ** 2).sum(axis=-1)
 
 
-def with_average(of_target: np.ndarray) -> np.ndarray:
-    """The targets and their mean, which is how the paper averages."""
-    return np.concatenate([of_target, of_target.mean(axis=-1, keepdims=True)], axis=-1)
-
-
-def mean_of_roots(squared: np.ndarray) -> np.ndarray:
-    """Mean over k of the roots, (..., steps, targets) to (..., targets + 1)."""
-    return with_average(np.sqrt(squared).mean(axis=-2))
-
-
-def root_of_mean(squared: np.ndarray) -> np.ndarray:
-    """Root of the mean over k, the other reading of a time-averaged RMSE."""
-    return with_average(np.sqrt(squared.mean(axis=-2)))
-
-
-def effective_sample_size(runs) -> np.ndarray:
-    """(trials, steps + 1)."""
+def effective_sample_size(runs: Runs) -> np.ndarray:
+    """Of each step, averaged over the targets' filters, (trials, steps + 1)."""
     return runs.recorded["effective_sample_size"]
 
 
-def _with_average(metric: str, of_targets: list[metrics.Jackknife]):
+def _with_average(metric: str, of_targets: list[metrics.Jackknife]) -> Rows:
     """The targets and their mean, which is how the paper averages."""
     numbers = [*of_targets, metrics.average(of_targets)]
     for component, number in zip(COMPONENTS, numbers, strict=True):
@@ -126,26 +162,26 @@ def _with_average(metric: str, of_targets: list[metrics.Jackknife]):
 
 
 class CensoredNetwork(Study):
-    """Three coupled targets; dead band or saturation is a parameter."""
+    """Three coupled targets; whether the censoring is a dead band or saturation is a parameter."""
 
     Parameters = Parameters
     Analysis = Analysis
-    systems_per_block = 4  # the readings of all particles of a block stay in a cache of 1 MB
+    systems_per_block = 4  # so that the readings of all particles fit in a cache of 1 MB
     trajectory = tuple((f"px_{i}", f"py_{i}") for i in TARGETS)
 
-    def topics(self, parameters: Parameters) -> dict[str, tuple[str, ...]]:
+    def topics(self, parameters: Parameters) -> Fields:
         groups, size, _ = sensors(parameters).shape
         names = [f"{m}_{j}" for m in range(1, groups + 1) for j in range(1, size + 1)]
         return {
             "/truth": tuple(f"{name}_{i}" for i in TARGETS for name in STATE),
             "/sensor": tuple(f"strength_{i}_{name}" for i in TARGETS for name in names),
             "/received": tuple(
-                f"{what}_{i}_{j}"
-                for what in ("value", "code")
+                f"{quantity}_{i}_{j}"
+                for quantity in ("value", "code")
                 for i in TARGETS
                 for j in range(1, size + 1)
             ),
-            "/network": tuple(f"{what}_{i}" for what in ("group", "coupled") for i in TARGETS),
+            "/network": tuple(f"{event}_{i}" for event in ("group", "coupled") for i in TARGETS),
         }
 
     def model(self, parameters: Parameters) -> CoupledTargets:
@@ -182,9 +218,11 @@ class CensoredNetwork(Study):
         process, network, sensor = streams("process"), streams("network"), streams("sensor")
         trials = len(process)
         noise = known.process_deviation * process.standard_normal(steps, nodes, len(STATE))
-        network_uniform = network.uniform(steps + 1, 2, nodes)  # step by step: horizons share them
+        network_uniform = network.uniform(steps + 1, 2, nodes)  # by step: horizons share them
         coupled = network_uniform[:, :, 0] < known.coupling_rate
-        group = transmitting_group(network_uniform[:, :, 1], parameters.group_probabilities)
+        group = transmitting_group(
+            network_uniform[:, :, 1], np.array(parameters.group_probabilities)
+        )
 
         truth = np.empty((trials, steps + 1, nodes, len(STATE)))
         truth[:, 0] = known.initial_mean.reshape(nodes, len(STATE))
@@ -231,11 +269,11 @@ class CensoredNetwork(Study):
         return Recorded(received=values, code=codes.astype(int), group_probability=known)
 
     def lost(self, runs: Runs, analysis: Analysis) -> np.ndarray:
-        """Runs that lose a target at some step, (trials,)."""
-        return (squared_distance(runs)[:, 1:] > analysis.lost_above**2).any(axis=(1, 2))
+        """Whether a run loses a target at some step, (trials,)."""
+        return squared_distance(runs)[:, 1:].max(axis=(1, 2)) > analysis.lost_above**2
 
     def rows(self, shards: Shards, analysis: Analysis) -> Rows:
-        def squared(target, steps):
+        def squared(target: int, steps: slice) -> Callable[[Runs], np.ndarray]:
             return lambda runs: squared_distance(runs)[:, steps, target]
 
         for metric, steps in (
