@@ -1,14 +1,17 @@
 """Figure 2: error of x2 over the packet arrival probability."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.packet_delays.error_over_arrival import error_over_arrival_probability
+from repro.tables.results import Results
 
 NEEDS = {"tables": ["linear_delays"]}
 CAPTION = (
-    "Figure 2. RMS error of x2 over the packet arrival probability, all filters, with the "
-    "error that the OMVF claims. The paper prints no number; [21] and the best filter of form"
-    " (6) are exact."
+    "Figure 2. RMS error of x2 over the packet arrival probability, all filters, with the error "
+    "that the OMVF claims. The paper prints no number. The filter of Sun (2009) and the best "
+    "filter of the OMVF's form (6) are exact."
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     return error_over_arrival_probability(results, "x2")

@@ -1,13 +1,16 @@
 """Figure 3: trajectory of EKF and EMVF, p = 1."""
 
-from repro.papers.packet_delays.tracks import trajectories
+from matplotlib.figure import Figure
+
+from repro.papers.packet_delays.tracks import run_missing, trajectories
+from repro.tables.results import Results
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=1", "n2-arrival=1"]}}
 CAPTION = (
-    "Figure 3: trajectory of EKF and EMVF, p = 1. The first run in which every packet is on time."
+    "Figure 3. Trajectory of EKF and EMVF, p = 1. The first run in which every packet is on time."
 )
 
 
-def draw(results):
-    trial = 0
+def draw(results: Results) -> Figure:
+    trial = run_missing(results, "1", 0)
     return trajectories(results, "1", trial, ekf=True)

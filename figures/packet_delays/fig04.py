@@ -1,16 +1,17 @@
 """Figure 4: estimation error of EKF and EMVF, p = 1."""
 
-from repro.papers.packet_delays.tracks import error_over_k
+from matplotlib.figure import Figure
+
+from repro.papers.packet_delays.tracks import error_over_k, printed_small_error, run_missing
+from repro.tables.results import Results
 
 NEEDS = {"tables": ["wsn_tracking"], "points": {"wsn_tracking": ["n1-arrival=1", "n2-arrival=1"]}}
 CAPTION = (
-    "Figure 4: estimation error of EKF and EMVF, p = 1. The first run in which every packet "
-    "is on time."
+    "Figure 4. Estimation error of EKF and EMVF, p = 1. The first run in which every packet is on"
+    " time."
 )
 
 
-def draw(results):
-    trial = 0
-    return error_over_k(
-        results, "1", trial, ekf=True, published={"Fig. 4: below 0.3 m": (0.3, 0.3)}
-    )
+def draw(results: Results) -> Figure:
+    trial = run_missing(results, "1", 0)
+    return error_over_k(results, "1", trial, ekf=True, published=printed_small_error(results))

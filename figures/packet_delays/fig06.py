@@ -1,18 +1,20 @@
 """Figure 6: estimation error of EKF and EMVF, p = 0.98."""
 
-from repro.papers.packet_delays.tracks import error_over_k, first_trial, missed_steps
+from matplotlib.figure import Figure
+
+from repro.papers.packet_delays.tracks import error_over_k, run_of_figure_6
+from repro.tables.results import Results
 
 NEEDS = {
     "tables": ["wsn_tracking"],
     "points": {"wsn_tracking": ["n1-arrival=0.98", "n2-arrival=0.98"]},
 }
 CAPTION = (
-    "Figure 6: estimation error of EKF and EMVF, p = 0.98. The first run in which the packet "
-    "of k = 46 alone is late or lost, as in the paper."
+    "Figure 6. Estimation error of EKF and EMVF, p = 0.98. The first run in which a single packet"
+    " is late or lost, that of the step that the paper names."
 )
 
 
-def draw(results):
-    missed = missed_steps(results, "0.98")
-    trial = first_trial((missed.sum(axis=1) == 1) & missed[:, 46])
-    return error_over_k(results, "0.98", trial, ekf=True, published={})
+def draw(results: Results) -> Figure:
+    trial = run_of_figure_6(results, "0.98")
+    return error_over_k(results, "0.98", trial, ekf=True)

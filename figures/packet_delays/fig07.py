@@ -1,15 +1,17 @@
 """Figure 7: trajectory of the EMVF, p = 0.95."""
 
-from repro.papers.packet_delays.tracks import first_trial, missed_steps, trajectories
+from matplotlib.figure import Figure
+
+from repro.papers.packet_delays.tracks import run_of_figure_8, trajectories
+from repro.tables.results import Results
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=0.95", "n2-arrival=0.95"]}}
 CAPTION = (
-    "Figure 7: trajectory of the EMVF, p = 0.95. The first run in which three packets are "
-    "late or lost, the mean number."
+    "Figure 7. Trajectory of the EMVF, p = 0.95. The first run in which as many packets are late "
+    "or lost as on average."
 )
 
 
-def draw(results):
-    missed = missed_steps(results, "0.95")
-    trial = first_trial(missed[:, 1:].sum(axis=1) == 3)
+def draw(results: Results) -> Figure:
+    trial = run_of_figure_8(results, "0.95")
     return trajectories(results, "0.95", trial, ekf=False)

@@ -1,15 +1,17 @@
 """Figure 9: trajectory of the EMVF, p = 0.90."""
 
-from repro.papers.packet_delays.tracks import first_trial, missed_steps, trajectories
+from matplotlib.figure import Figure
+
+from repro.papers.packet_delays.tracks import run_of_figure_10, trajectories
+from repro.tables.results import Results
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=0.9", "n2-arrival=0.9"]}}
 CAPTION = (
-    "Figure 9: trajectory of the EMVF, p = 0.90. The first run in which seven packets are "
-    "late or lost, as in the paper."
+    "Figure 9. Trajectory of the EMVF, p = 0.90. The first run in which as many packets are late "
+    "or lost as in the paper."
 )
 
 
-def draw(results):
-    missed = missed_steps(results, "0.9")
-    trial = first_trial(missed[:, 1:].sum(axis=1) == 7)
+def draw(results: Results) -> Figure:
+    trial = run_of_figure_10(results, "0.9")
     return trajectories(results, "0.9", trial, ekf=False)

@@ -1,25 +1,29 @@
 """Table 2: SAEE of the EMVF by N and p, published and reproduced."""
 
 import numpy as np
+from matplotlib.figure import Figure
 
+from repro.papers.packet_delays.points import TRACKING, table_2, tracking_point
 from repro.plot import style
+from repro.tables.results import Results
 
 NEEDS = {"tables": ["wsn_tracking"], "diff": True}
 CAPTION = (
-    "Table 2. SAEE of the EMVF, published and ours, each with its standard error (theirs from our "
-    "spread at their 300 runs), our medians, and the parameters as printed. The level was fitted "
-    "through q: agreement of levels is a fit, not a prediction."
+    "Table 2. SAEE of the EMVF, published and ours, each with its standard error (theirs is our "
+    "spread at their number of runs), our medians, and the medians with the parameters as printed. "
+    "The level was fitted through q: that the levels agree is a fit, not a prediction."
 )
 
 
-def draw(results):
-    table = results.table("wsn_tracking")
+def draw(results: Results) -> Figure:
+    table = results.table(TRACKING)
     table = table[(table["filter"] == "emvf") & (table["metric"] == "saee")].set_index("point")
     diff = results.diff()
-    diff = diff[diff["item"].str.startswith("Table 2")].set_index("point")
-    drawn, grid = style.figure(1, 3, size=(9.0, 3.6), sharey=True)
-    for bound, axes in enumerate(grid):
-        points = [f"n{bound}-arrival={p}" for p in (0.8, 0.85, 0.9, 0.95, 0.99)]
+    diff = diff[(diff["study"] == TRACKING) & (diff["metric"] == "saee")].set_index("point")
+    bounds = table_2(results)
+    drawn, grid = style.figure(1, len(bounds), size=(9.0, 3.6), sharey=True)
+    for (bound, arrivals), axes in zip(bounds.items(), grid, strict=True):
+        points = [tracking_point(bound, arrival) for arrival in arrivals]
         place = np.arange(len(points))
         theirs, ours = diff.loc[points], table.loc[points]
         axes.errorbar(
@@ -55,7 +59,7 @@ def draw(results):
         axes.set(
             title=f"N = {bound}",
             xticks=place,
-            xticklabels=[p.split("=")[1] for p in points],
+            xticklabels=arrivals,
             xlabel="packet arrival probability p",
             yscale="log",
         )

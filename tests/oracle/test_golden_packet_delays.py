@@ -1,4 +1,4 @@
-"""Recorded runs, to compare other implementations with and to notice any change of ours."""
+"""Recorded results, to compare other implementations with and to notice any change here."""
 
 import numpy as np
 import pytest
@@ -6,9 +6,10 @@ import pytest
 from repro.filters import best_in_form, emvf, nahi, omvf, sun
 from repro.network import packet_delays
 from repro.network.tasking import ScheduledRanges
+from repro.parameters.settings import ExtendedMinimumVariance
 from repro.studies import wsn_tracking
 from tests.conftest import points
-from tests.oracle.test_packet_delays import OMVF_SETTINGS, STEPS, filtered, linear_model
+from tests.oracle.test_packet_delays import STEPS, filtered, linear_model
 
 
 @pytest.mark.parametrize(
@@ -24,8 +25,8 @@ def test_linear_filters_on_a_sine(module, estimate):
     """p = 0.5, N = 2, y(k) = sin(k / 10), k = 1 ... 12: xh(12|12)."""
     y = np.sin(0.1 * np.arange(1, STEPS + 1))
     channels = {"received": y, "uncertain": y}
-    found, _ = filtered(module, linear_model(2, 0.5), channels, OMVF_SETTINGS)
-    np.testing.assert_allclose(found, estimate, rtol=1e-10)
+    computed, _ = filtered(module, linear_model(2, 0.5), channels)
+    np.testing.assert_allclose(computed, estimate, rtol=1e-10)
 
 
 # EMVF position error in m at k = 1, 10, 20, 30.
@@ -35,8 +36,7 @@ GOLDEN = [9.322593945041314e-05, 0.22095966039716622, 0.426017077529377, 0.27393
 def test_emvf_on_a_grid_of_sensors():
     """N = 2, p = 0.9, no noise, sensors on a 5 x 4 grid, D(k) = 0 except D(10) = 1, D(20) = 2."""
     point = points()["wsn_tracking"]["n2-arrival=0.9"]
-    parameters = point.parameters
-    model = wsn_tracking.model(parameters)
+    model = wsn_tracking.STUDY.model(point.parameters)
     x, y = np.meshgrid(np.linspace(10, 90, 5), np.linspace(12.5, 87.5, 4))
     positions = np.stack([x.ravel(), y.ravel()], axis=-1)[None]
     truth = [model.initial_mean]
@@ -55,7 +55,8 @@ def test_emvf_on_a_grid_of_sensors():
         model.initial_mean[:2],
         bound=2,
     )
-    filter_ = emvf.build(model, point.filters["emvf"])
+    settings = ExtendedMinimumVariance.checked(point.filters["emvf"], "test")
+    filter_ = emvf.build(model, settings)
     state = filter_.init(range(1))
     errors = []
     for k in range(1, 31):

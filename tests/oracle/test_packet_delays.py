@@ -4,21 +4,23 @@ import numpy as np
 import pytest
 from scipy.linalg import solve_discrete_are
 
-from repro.filters import best_in_form, emvf, sun
+from repro.filters import best_in_form, emvf, genie, intermittent_kf, nahi, omvf, sun
 from repro.filters.families import second_moments
-from repro.models import DelayNetwork
 from repro.network.packet_delays import mean_weights
+from repro.parameters.settings import MinimumVariance
 from repro.run import run
-from repro.studies import linear_delays, wsn_tracking
+from repro.studies import linear_delays
+from repro.studies.wsn_tracking import position_error
 from tests.conftest import points, small_log
 
 STEPS = 12
+OMVF_SETTINGS = MinimumVariance.checked({"alpha_rule": "sum to one", "qbar_sign": 1}, "test")
 
 
 def linear_model(bound=2, p=0.5, sine_period=2):
     parameters = points()["linear_delays"]["arrival=0.5"].parameters
-    model = linear_delays.model(parameters | {"sine_period": sine_period})
-    return model._replace(network=DelayNetwork(p, bound))
+    changed = {"sine_period": sine_period, "arrival_probability": p, "packet_bound": bound}
+    return linear_delays.STUDY.model(parameters.model_copy(update=changed))
 
 
 def measurement_moments(model):
@@ -58,9 +60,9 @@ def batch_lmmse(model, y):
     return xz @ take.T @ np.linalg.solve(yy, y)
 
 
-def filtered(module, model, channels, settings=None):
+def filtered(module, model, channels, settings=OMVF_SETTINGS):
     """Estimate of a filter after all of y (STEPS,) given as its channel, and its last state."""
-    filter_ = module.build(model, settings or {})
+    filter_ = module.build(model, settings)
     state = filter_.init(range(1))
     for k in range(1, STEPS + 1):
         seen = type("Seen", (), {name: values[[k - 1]] for name, values in channels.items()})
@@ -78,8 +80,6 @@ def test_lmmse_recursion_is_the_batch_computation(bound, sine_period):
 
 
 def test_nahi_is_the_lmmse_filter_of_its_channel():
-    from repro.filters import nahi
-
     p, model = 0.6, linear_model(2, 0.6, 7)
     y = np.random.default_rng(8).normal(size=STEPS) * 3
     zz, xz = measurement_moments(model)
@@ -92,26 +92,19 @@ def test_nahi_is_the_lmmse_filter_of_its_channel():
     np.testing.assert_allclose(estimate, expected, rtol=1e-9)
 
 
-OMVF_SETTINGS = {"alpha_rule": "sum to one", "qbar_sign": 1}
-
-
 def test_every_linear_filter_is_the_kalman_filter_without_losses():
-    from repro.filters import genie, intermittent_kf, nahi, omvf
-
     model = linear_model(2, 1.0)
     y = np.random.default_rng(1).normal(size=STEPS) * 3
     channels = {"received": y, "uncertain": y, "arrival": np.ones(STEPS), "delay": np.zeros(STEPS)}
     expected, variance = filtered(intermittent_kf, model, channels)
     np.testing.assert_allclose(expected, batch_lmmse(model, y), rtol=1e-9)
     for module in (omvf, sun, nahi, genie, best_in_form):
-        estimate, claimed = filtered(module, model, channels, OMVF_SETTINGS)
+        estimate, claimed = filtered(module, model, channels)
         np.testing.assert_allclose(estimate, expected, rtol=1e-9)
         np.testing.assert_allclose(np.squeeze(claimed), variance[0], rtol=1e-9)
 
 
 def test_omvf_covariance_without_losses_is_the_riccati_solution():
-    from repro.filters import omvf
-
     model = linear_model(2, 1.0)
     a, c = model.transition_matrix(0), model.measurement_row[:, None]
     predicted = solve_discrete_are(a.T, c, model.process_covariance, [[model.measurement_variance]])
@@ -132,11 +125,9 @@ def true_error(model, gains):
     return second_moments.mean_square_error(moment, 2)
 
 
-def omvf_gains(model, steps, settings=None):
-    """F(k) and K(k) of the OMVF, read off its response to unit estimates and a unit measurement."""
-    from repro.filters import omvf
-
-    filter_ = omvf.build(model, settings or OMVF_SETTINGS)
+def omvf_gains(model, steps):
+    """F(k) and K(k) of the OMVF: its response to unit estimates and to a unit measurement."""
+    filter_ = omvf.build(model, OMVF_SETTINGS)
     state, gains = filter_.init(range(3)), []
     seen = type("Seen", (), {"received": np.array([0.0, 0.0, 1.0])})
     for k in range(1, steps + 1):
@@ -152,7 +143,7 @@ def test_true_errors_are_ordered(p, bound):
     model, steps = linear_model(bound, p), 60
     errors = {"omvf": np.diagonal(true_error(model, omvf_gains(model, steps)))}
     for module in (best_in_form, sun):
-        filter_ = module.build(model, {})
+        filter_ = module.build(model, OMVF_SETTINGS)
         state = filter_.init(range(1))
         for k in range(1, steps + 1):
             state = filter_.step(state, k, type("Seen", (), {"received": np.zeros(1)}))
@@ -165,30 +156,27 @@ def test_true_errors_are_ordered(p, bound):
 def test_exact_second_moments_are_what_sampling_finds():
     parameters = points()["linear_delays"]["arrival=0.5"].parameters
     log = small_log("linear_delays", "arrival=0.5", trials=4000, steps=20)
-    model = linear_delays.model(parameters)
+    model = linear_delays.STUDY.model(parameters)
     x0 = np.array(parameters.true_initial_state)
-    exact = []
-    for name, gains in (("omvf", omvf_gains(model, 20)), ("best_in_form", None)):
-        _, runs = run(log, name, OMVF_SETTINGS)
+    started = model._replace(initial_second_moment=np.outer(x0, x0))
+    exact_of_omvf = np.diagonal(true_error(started, omvf_gains(model, 20)))
+    for name in ("omvf", "best_in_form"):
+        _, runs = run(log, name, OMVF_SETTINGS.plain())
         squared = runs.error[:, -1] ** 2
-        if gains is not None:
-            started = model._replace(initial_second_moment=np.outer(x0, x0))
-            exact = np.diagonal(true_error(started, gains))
-        else:
-            exact = runs.claimed[-1]
+        exact = exact_of_omvf if name == "omvf" else runs.claimed[-1]
         error = squared.std(axis=0) / np.sqrt(len(squared))
         assert (np.abs(squared.mean(axis=0) - exact) < 4 * error + 1e-3).all()
 
 
 def test_genie_is_below_every_filter_and_knows_its_own_error():
     log = small_log("linear_delays", "arrival=0.5", trials=3000, steps=20)
-    _, genie = run(log, "genie", {})
-    squared = (genie.error[:, 10:] ** 2).mean(axis=1)
+    _, informed = run(log, "genie", {})
+    squared = (informed.error[:, 10:] ** 2).mean(axis=1)
     spread = squared.std(axis=0) / np.sqrt(len(squared))
-    claimed = genie.claimed[:, 10:].mean(axis=(0, 1))
+    claimed = informed.claimed[:, 10:].mean(axis=(0, 1))
     assert (np.abs(squared.mean(axis=0) - claimed) < 4 * spread).all()
     for name in ("omvf", "sun", "best_in_form", "intermittent_kf"):
-        _, other = run(log, name, OMVF_SETTINGS)
+        _, other = run(log, name, OMVF_SETTINGS.plain())
         difference = (other.error[:, 10:] ** 2).mean(axis=1) - squared
         assert (difference.mean(axis=0) > 0).all()
 
@@ -200,7 +188,7 @@ def tracking(point, names, trials=40, **changes):
     settings = points()["wsn_tracking"][point].filters
     log = small_log("wsn_tracking", point, trials, steps=65)
     runs = [run(log, name, settings.get(name, {}) | changes)[1] for name in names]
-    return [wsn_tracking.position_error(entry) for entry in runs]
+    return [position_error(entry) for entry in runs]
 
 
 def test_without_losses_emvf_is_the_ekf_for_every_bound():
@@ -220,16 +208,15 @@ def emvf_estimate(initial_second_moment, shift):
     log = small_log("wsn_tracking", "n2-arrival=0.9", 3, steps=30)
     values = {topic: array.copy() for topic, array in log.values.items()}
     values["/truth"][:, :, :2] += shift
-    values["/field"] += np.tile(shift, 20)
-    moved = log._replace(
-        values=values, parameters=log.parameters | {"initial_estimate": start.tolist()}
-    )
+    values["/field"] += np.tile(shift, parameters.sensors)
+    parameters = log.parameters.model_copy(update={"initial_estimate": tuple(start.tolist())})
+    moved = log._replace(values=values, parameters=parameters)
     settings = point.filters["emvf"] | {"initial_second_moment": initial_second_moment}
     return run(moved, "emvf", settings)[1].error
 
 
 def test_matched_second_moment_does_not_depend_on_the_origin():
-    """The printed S-terms do: the second moment of H x is not the spread of h."""
+    """The printed terms in S do: the second moment of H x is not the spread of h."""
     here, there = (emvf_estimate("matched", np.array(s)) for s in ([0.0, 0.0], [200.0, -300.0]))
     np.testing.assert_allclose(here, there, atol=1e-6)
     here, there = (emvf_estimate("theorem_2", np.array(s)) for s in ([0.0, 0.0], [200.0, -300.0]))
@@ -244,7 +231,7 @@ def test_realised_weights_of_the_packet_itself_beat_the_means():
 
 
 def test_printed_covariances_with_a_wrong_packet_are_trusted_too_much():
-    """Defect: S(0) = P(0) drops m_0 m_0', and late packets are then taken for good ones."""
+    """The printed S(0) = P(0) omits m_0 m_0': late packets then count as if they were on time."""
     theorem, printed = (
         tracking("n2-arrival=0.9", ["emvf"], initial_second_moment=value)[0]
         for value in ("theorem_2", "P0")

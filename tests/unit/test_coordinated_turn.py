@@ -1,3 +1,5 @@
+"""The coordinated turn and the range of [packet_delays (40)-(42)]."""
+
 import numpy as np
 import pytest
 
@@ -42,8 +44,7 @@ def test_distance_jacobian(x):
     )
 
 
-def test_series_meets_the_quotients():
-    """The two branches agree where they meet."""
+def test_series_and_quotients_agree_where_they_meet():
 
     def jacobian(x, time):
         return dense(model.transition_jacobian(x, time), (), len(x))

@@ -1,11 +1,16 @@
+"""The network of [packet_delays], and the parameters and points of its studies."""
+
 import numpy as np
 import pytest
 
 from repro.network import packet_delays
 from repro.network.tasking import ScheduledRanges
-from tests.conftest import points
+from repro.papers.packet_delays.points import linear_points, table_2
+from repro.parameters.values import ParameterError
+from repro.tables.results import Results
+from tests.conftest import points, small_log
 
-# Table 1 of Liu, Xu, Shi 2012: gamma_1 = * where the paper leaves it arbitrary.
+# [packet_delays Table 1]: gamma_1 = * where the paper leaves it arbitrary.
 GAMMA_0 = [1, 1, 0, 0, 1, 1, 1, 0, 0, 0, 1, 1]
 GAMMA_1 = "* * 1 1 * * * 1 0 0 * *".split()
 ARRIVES = [1, 2, 2, 3, 5, 6, 7, 7, 7, 8, 11, 12]
@@ -70,10 +75,24 @@ def test_a_late_range_is_of_the_sensor_tasked_at_its_origin():
 
 def test_a_sweep_shares_its_flags():
     """Flags of a smaller N and of another p come from the same uniforms."""
-    from tests.conftest import small_log
-
-    assert "n2-arrival=0.9" in points()["wsn_tracking"]
     first, second = (
         small_log("wsn_tracking", f"n{n}-arrival=0.9").field("/network", "gamma_0") for n in (1, 2)
     )
     np.testing.assert_array_equal(first, second)
+
+
+def test_points_are_found_by_their_names(tmp_path):
+    catalogue = {
+        study: {point: [] for point in points()[study]}
+        for study in ("linear_delays", "wsn_tracking")
+    }
+    results = Results(tmp_path, catalogue, 1, {}, 3.0)
+    arrivals = ["0.8", "0.85", "0.9", "0.95", "0.99"]
+    assert table_2(results) == {0: arrivals, 1: arrivals, 2: arrivals}
+    assert list(linear_points(results)) == pytest.approx(np.arange(1, 11) / 10)
+
+
+def test_a_fixed_layout_has_every_sensor():
+    parameters = points()["wsn_tracking"]["reading-layout=fixed"].parameters
+    with pytest.raises(ParameterError, match="fixed_layout has 20 positions; sensors asks for 19"):
+        type(parameters).checked({**parameters.plain(), "sensors": 19}, "test")

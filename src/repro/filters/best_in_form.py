@@ -1,10 +1,10 @@
-"""The best filter of form (6) of Liu, Xu, Shi 2012: what OMVF would be if it were optimal.
+"""The best filter of the form [packet_delays (6)]: what the OMVF would be if it were optimal.
 
 Not in the paper. F and K are the regression of x(k+1) on (xh(k), y(k+1)) with exact second
-moments; no filter of that form has a smaller mean square error one step on.
+moments; no filter of that form has a smaller mean square error at the next step.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,7 +18,7 @@ SEES = ("received",)
 
 class State(NamedTuple):
     estimate: np.ndarray  # (trials, n)
-    moment: np.ndarray  # second moment of [X(k), xh(k)], the same for every trial
+    moment: np.ndarray  # second moment of [X(k), xh(k)], square, the same for every trial
 
 
 def regression(model: LinearModel, moment: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -36,7 +36,8 @@ def regression(model: LinearModel, moment: np.ndarray) -> tuple[np.ndarray, np.n
     return coefficients[:, :n], coefficients[:, n]
 
 
-def build(model: LinearModel, settings: dict) -> Filter:
+def build(model: LinearModel, settings: dict[str, Any]) -> Filter:
+    """xh(k+1) = F xh(k) + K y(k+1) with F and K of `regression`; no settings."""
     n = len(model.initial_mean)
 
     def init(streams):

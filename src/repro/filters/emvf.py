@@ -1,6 +1,7 @@
-"""EMVF: enhanced minimum variance filter (Liu, Xu, Shi 2012, Theorem 2)."""
+"""EMVF: the enhanced minimum variance filter [packet_delays Theorem 2]."""
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,22 +22,27 @@ class State(NamedTuple):
     second_moment: np.ndarray  # S(k), (trials, n, n)
     predictions: tuple[np.ndarray, ...]  # xh(k|k-1), xh(k-1|k-2), ..., at most N
     inverses: tuple[np.ndarray, ...]  # f'(k-1)^-1, f'(k-2)^-1, ..., at most N - 1
-    degenerate: np.ndarray  # updates left out because their variance was unusable, (trials,)
+    degenerate: np.ndarray  # updates skipped because their gain was not finite, (trials,)
 
 
 def build(model: Model, settings: ExtendedMinimumVariance) -> Filter:
-    """The filter of (22)-(27). Sees y(k) and p alone.
+    """The filter of [packet_delays (22)-(27)]. It sees y(k) and p alone.
 
     Settings: `initial_second_moment` (theorem_2, P0, matched), `alpha_rule`, `qbar_sign`, and
-    `late_measurement` (h of a late packet at the sensor of its own time, or at the current one).
+    `late_measurement` (h of a late packet at the sensor of its own step, or at the current one).
     """
     return build_with(model, settings, realised_delay=None)
 
 
-def build_with(model: Model, settings: ExtendedMinimumVariance, realised_delay) -> Filter:
-    """The filter with the innovation of (22); its weights are the means alpha_i.
+def build_with(
+    model: Model,
+    settings: ExtendedMinimumVariance,
+    realised_delay: Callable[[Any], np.ndarray] | None,
+) -> Filter:
+    """The filter with the innovation of (22), weighted by the means alpha_i.
 
-    `realised_delay(seen)` instead gives the delays whose indicators stand in the innovation.
+    `realised_delay(seen)`, if given, returns delays (trials,) whose indicators are the weights
+    instead.
     """
     bound = model.network.bound
     weights = mean_weights(model.network.arrival_probability, bound, settings.alpha_rule)
@@ -117,5 +123,8 @@ def build_with(model: Model, settings: ExtendedMinimumVariance, realised_delay) 
 
 
 def spread_of_ranges(weights: np.ndarray, ranges: np.ndarray) -> np.ndarray:
-    """Variance of h over the delays, free of the origin: `matched`, which is not the paper's."""
+    """Variance of h over the delays, (trials,), from weights and ranges (delays, trials) in m.
+
+    It does not depend on the origin of coordinates: the setting `matched`, not in the paper.
+    """
     return (weights * ranges**2).sum(axis=0) - (weights * ranges).sum(axis=0) ** 2

@@ -1,8 +1,8 @@
-"""EMVF with realised indicators in the innovation, as (22) prints them (Liu, Xu, Shi 2012).
+"""EMVF with realised indicators in the innovation, as [packet_delays (22)] prints them.
 
-The printed alpha_i(k) is an indicator of the delay, which Remark 2 says the filter does not need;
-the project's EMVF takes the means. This reading sees the delays. The setting `indicator_of` says
-of which step: `k` (as printed, one step before the packet), or `k+1` (of the packet itself).
+The printed alpha_i(k) is an indicator of the delay, which by Remark 2 the filter does not need;
+`emvf` uses the means. This reading sees the delays. The setting `indicator_of` is the step of the
+indicator: `k` (as printed, one step before the packet), or `k+1` (of the packet itself).
 """
 
 from types import SimpleNamespace
@@ -24,25 +24,28 @@ class State(NamedTuple):
 
 
 def build(model: Model, settings: RealisedIndicators) -> Filter:
+    """The EMVF with delays of the step that `indicator_of` names."""
     inner = emvf.build_with(model, settings, realised_delay=lambda seen: seen.delay)
+    predicted, degenerate = inner.predicted, inner.degenerate
+    assert predicted is not None and degenerate is not None
     printed = settings.indicator_of == "k"
 
     def init(streams):
         return State(inner.init(streams), np.zeros(len(streams)))
 
     def step(state, k, seen):
-        told = SimpleNamespace(
+        seen_by_emvf = SimpleNamespace(
             received=seen.received,
             sensor=seen.sensor,
             earlier_sensors=seen.earlier_sensors,
             delay=state.delay if printed else seen.delay,
         )
-        return State(inner.step(state.emvf, k, told), seen.delay)
+        return State(inner.step(state.emvf, k, seen_by_emvf), seen.delay)
 
     return Filter(
         init,
         step,
         mean=lambda state: inner.mean(state.emvf),
-        predicted=lambda state, k: inner.predicted(state.emvf, k),
-        degenerate=lambda state: inner.degenerate(state.emvf),
+        predicted=lambda state, k: predicted(state.emvf, k),
+        degenerate=lambda state: degenerate(state.emvf),
     )

@@ -1,9 +1,10 @@
-"""Kalman filter that knows every delay: the bound below which no filter of this network comes.
+"""Kalman filter that knows every delay: no filter of this network has a smaller error.
 
-Not in the paper. Knowing D(k), the augmented problem is linear and Gaussian, and this is exact.
+Not in [packet_delays]. With D(k) known the augmented problem is linear and Gaussian, so that the
+Kalman filter is exact.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,7 +22,8 @@ class State(NamedTuple):
     covariance: np.ndarray  # (trials, n + N + 1, n + N + 1)
 
 
-def build(model: LinearModel, settings: dict) -> Filter:
+def build(model: LinearModel, settings: dict[str, Any]) -> Filter:
+    """The Kalman filter on the augmented state X(k); no settings."""
     n = len(model.initial_mean)
 
     def init(streams):

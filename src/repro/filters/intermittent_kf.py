@@ -1,9 +1,10 @@
-"""Kalman filter with intermittent observations (reference [8] of Liu, Xu, Shi 2012).
+"""Kalman filter with intermittent observations of Sinopoli et al. (2004).
 
-It knows which packets are on time, updates on those and leaves late packets unused.
+Compared in [packet_delays Sec. 4.1]. It knows which packets are on time, updates on those and
+leaves late packets unused.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,7 +20,8 @@ class State(NamedTuple):
     covariance: np.ndarray  # (trials, n, n): it depends on the arrivals
 
 
-def build(model: LinearModel, settings: dict) -> Filter:
+def build(model: LinearModel, settings: dict[str, Any]) -> Filter:
+    """The Kalman filter without an update where no packet is on time; no settings."""
     c, q = model.measurement_row, model.process_covariance
 
     def init(streams):

@@ -1,9 +1,9 @@
-"""Nahi's filter for uncertain observations (reference [2] of Liu, Xu, Shi 2012).
+"""The filter for uncertain observations of Nahi (1969), compared in [packet_delays Sec. 4.1].
 
-Its channel is its own: y(k) = z(k) with probability p and noise alone otherwise.
+It has a channel of its own: y(k) = z(k) with probability p, and noise alone otherwise.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,7 +21,8 @@ class State(NamedTuple):
     second_moment: np.ndarray  # S(k) = E[x(k) x(k)']
 
 
-def build(model: LinearModel, settings: dict) -> Filter:
+def build(model: LinearModel, settings: dict[str, Any]) -> Filter:
+    """The linear MMSE filter of that channel; no settings."""
     p = model.network.arrival_probability
     c, q = model.measurement_row, model.process_covariance
 

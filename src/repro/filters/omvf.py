@@ -1,4 +1,4 @@
-"""OMVF: optimal minimum variance filter (Liu, Xu, Shi 2012, Theorem 1)."""
+"""OMVF: the optimal minimum variance filter [packet_delays Theorem 1]."""
 
 from typing import NamedTuple
 
@@ -16,12 +16,15 @@ SEES = ("received",)
 
 class State(NamedTuple):
     estimate: np.ndarray  # xh(k|k), (trials, 2)
-    covariance: np.ndarray  # P(k|k) as the paper claims it: the same for every trial
-    second_moment: np.ndarray  # S(k)
+    covariance: np.ndarray  # P(k|k) that the paper claims, (2, 2): the same for every trial
+    second_moment: np.ndarray  # S(k), (2, 2)
 
 
 def build(model: LinearModel, settings: MinimumVariance) -> Filter:
-    """Settings: `alpha_rule` (Lemma 1), `qbar_sign` (+1 as printed). Sees y(k) and p alone."""
+    """The filter of [packet_delays (6), (13)-(17)]. It sees y(k) and p alone.
+
+    Settings: `alpha_rule` (which weights Lemma 1 gives), `qbar_sign` (+1 as printed).
+    """
     bound = model.network.bound
     weights = mean_weights(model.network.arrival_probability, bound, settings.alpha_rule)
     c, q = model.measurement_row, model.process_covariance
@@ -35,7 +38,7 @@ def build(model: LinearModel, settings: MinimumVariance) -> Filter:
 
     def step(state, k, seen):
         a = model.transition_matrix(k - 1)
-        terms = min(bound, k) + 1  # z(j) = 0 for j < 0: its terms are left out
+        terms = min(bound, k) + 1  # z(j) = 0 for j < 0: no term of it
         inverses = [np.linalg.inv(model.transition_matrix(k - j)) for j in range(2, terms)]
         update = minimum_variance.gain(
             [c] * terms,

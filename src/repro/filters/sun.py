@@ -1,10 +1,10 @@
-"""The linear minimum-variance estimator of reference [21] of Liu, Xu, Shi 2012.
+"""The linear minimum variance estimator of Sun (2009), compared in [packet_delays Sec. 4.1].
 
-Its equations are not in that paper. The linear minimum mean square error estimate of x(k) from
-y(1) ... y(k) is unique, so it is computed here exactly, by augmentation with random rows.
+That paper does not print its equations. The linear minimum mean square error (LMMSE) estimate of
+x(k) from y(1) ... y(k) is unique, so it is computed here exactly, by augmentation with random rows.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -19,11 +19,12 @@ SEES = ("received",)
 
 class State(NamedTuple):
     estimate: np.ndarray  # of X(k), (trials, n + N + 1)
-    covariance: np.ndarray  # of its error, the same for every trial
-    second_moment: np.ndarray  # Pi(k) = E[X(k) X(k)']
+    covariance: np.ndarray  # of its error, (n + N + 1, n + N + 1), the same for every trial
+    second_moment: np.ndarray  # E[X(k) X(k)'], of the same shape as the covariance
 
 
-def build(model: LinearModel, settings: dict) -> Filter:
+def build(model: LinearModel, settings: dict[str, Any]) -> Filter:
+    """The exact LMMSE filter on the augmented state X(k); no settings."""
     n = len(model.initial_mean)
     weights = mean_weights(model.network.arrival_probability, model.network.bound)
     mean_row = np.concatenate([np.zeros(n), weights])

@@ -1,4 +1,4 @@
-"""Coordinated turn and range measurement (Liu, Xu, Shi 2012, (40)-(42)).
+"""Coordinated turn and range measurement [packet_delays (40)-(42)].
 
 State (px, py, vx, vy, omega): m, m, m/s, m/s, rad/s. The printed "k omega(k)" is read as the turn
 angle T omega over the sampling time T. det f' = 1 for every state, so that f' is invertible.
@@ -12,7 +12,9 @@ SERIES_BELOW = 1e-3  # |omega T| below which the 0/0 quotients are taken from th
 RANGE_FLOOR = 1e-6  # m; the bearing of a target on its sensor is undefined
 
 
-def _quotients(omega: np.ndarray, time: float):
+def _quotients(
+    omega: np.ndarray, time: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """sin(a)/omega and (cos(a) - 1)/omega for a = omega T, and their derivatives by omega."""
     angle = omega * time
     near = np.abs(angle) < SERIES_BELOW

@@ -1,4 +1,4 @@
-"""The linear example (Liu, Xu, Shi 2012, (37)-(38))."""
+"""The linear example [packet_delays (37)-(38)]."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Consecutive packet losses and delays (Liu, Xu, Shi 2012, Sec. 2, equations (2)-(8))."""
+"""Consecutive packet losses and delays [packet_delays Sec. 2, (2)-(8)]."""
 
 import numpy as np
 
@@ -6,23 +6,23 @@ LOST = -1  # delay of a step at which no packet arrives
 
 
 def flags_per_step(bound: int, lossy: bool) -> int:
-    """How many arrival flags gamma_i(k) decide a step: N by (2), one more if packets can be lost.
+    """Number of arrival flags gamma_i(k) of a step: N by (2), one more if packets can be lost.
 
-    N = 0 is the paper's special case of Sec. 4.2.2 (packet or noise), lossy by definition.
+    N = 0 is a special case, lossy by definition: packet or noise [packet_delays Sec. 4.2.2].
     """
     return bound + 1 if lossy or bound == 0 else bound
 
 
 def arrival_flags(uniforms: np.ndarray, arrival_probability: float) -> np.ndarray:
-    """Flags gamma_i(k) = 1 with the arrival probability; one uniform each, any shape."""
+    """Flags gamma_i(k), 1 with the arrival probability, from one uniform each; any shape."""
     return (uniforms < arrival_probability).astype(float)
 
 
 def delays(flags: np.ndarray, bound: int) -> np.ndarray:
     """Delay D(k) of the packet received at step k, from flags of shape (trials, flags, steps).
 
-    D is the first i with gamma_i = 1. Without any: N by (2), which has N flags, or LOST where
-    one more flag decides whether the last packet arrives at all. Shape (trials, steps), integer.
+    D is the first i with gamma_i = 1. If there is none, D is N by (2), which has N flags; with
+    one more flag the packet is LOST. Shape (trials, steps), integers.
     """
     without = bound if flags.shape[1] == bound else LOST
     return np.where(flags.any(axis=1), flags.argmax(axis=1), without)

@@ -1,9 +1,11 @@
-"""Nearest-sensor scheduling in a closed loop (Liu, Xu, Shi 2012, Sec. 3.4, Algorithm 1).
+"""Nearest-sensor scheduling in a closed loop [packet_delays Sec. 3.4, Algorithm 1].
 
 The sensor that measures at step k is the one nearest to the target's predicted position, so what
 a filter receives depends on its own predictions. The log holds the range to every sensor; this
-module hands the filter the one that it would have received, without telling it from when.
+module gives the filter the one that it would have received, without the step it is from.
 """
+
+from typing import Any
 
 import numpy as np
 
@@ -22,13 +24,21 @@ class ScheduledRanges(Channels):
     positions (trials, sensors, 2) in m; ranges (trials, steps, sensors) in m; origin and
     without_packet (trials, steps) as the network decided them; `offered` are further channels;
     `first` (2,) is the position on which step 0 is scheduled; packets are at most `bound` late.
-    `true_positions` (trials, steps, 2) schedules on the truth instead (a reading).
+    `true_positions` (trials, steps, 2), if given, are what the sensors are scheduled on instead.
     """
 
     on_prediction = True
 
     def __init__(
-        self, positions, ranges, origin, without_packet, offered, first, bound, true_positions=None
+        self,
+        positions: np.ndarray,
+        ranges: np.ndarray,
+        origin: np.ndarray,
+        without_packet: np.ndarray,
+        offered: dict[str, np.ndarray],
+        first: np.ndarray,
+        bound: int,
+        true_positions: np.ndarray | None = None,
     ):
         self._positions, self._ranges, self._offered = positions, ranges, offered
         self._bound = bound
@@ -46,9 +56,9 @@ class ScheduledRanges(Channels):
     def _position(self, k: int) -> np.ndarray:
         return self._positions[self._trials, self._tasked[:, k]]
 
-    def at(self, k: int, predicted: np.ndarray) -> dict:
-        """What the network offers at step k to the filter that predicted (trials, n) for it."""
-        self._task(k, predicted[:, :2])
+    def at(self, k: int, fed_back: np.ndarray) -> dict[str, Any]:
+        """The channels of step k for a filter whose prediction for it is `fed_back` (trials, n)."""
+        self._task(k, fed_back[:, :2])
         origin = self._origin[:, k]
         sent = np.maximum(origin, 0)
         late = self._ranges[self._trials, sent, self._tasked[self._trials, sent]]
@@ -59,6 +69,6 @@ class ScheduledRanges(Channels):
             **{name: channel[:, k] for name, channel in self._offered.items()},
         }
 
-    def record(self) -> dict:
+    def record(self) -> dict[str, np.ndarray]:
         """What the closed loop decided: index of the tasked sensor, (trials, steps)."""
         return {"tasked": self._tasked}

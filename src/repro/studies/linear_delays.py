@@ -1,4 +1,4 @@
-"""The linear example with packet delays (Liu, Xu, Shi 2012, Sec. 4.1; Figures 1, 2)."""
+"""The linear example with packet delays [packet_delays Sec. 4.1, Figs. 1-2]."""
 
 from typing import Annotated
 
@@ -16,34 +16,50 @@ from repro.parameters.values import (
     PointParameters,
     Positive,
     Probability,
+    Values,
 )
 from repro.statistics import metrics
+from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
-from repro.studies import Rows, Study
+from repro.studies import Rows, StreamsOf, Study
 
 COMPONENTS = ("x1", "x2")
 
 
 class Parameters(PointParameters):
-    """Values of one point."""
+    """Values of one point. The example has no physical units."""
 
-    process_noise_entry: Pair
-    process_noise_variance: NotNegative
-    measurement_row: Pair
-    measurement_variance: Positive
-    sine_period: Positive
-    packet_bound: Annotated[int, Field(ge=1)]
-    arrival_probability: Probability
-    true_initial_state: Pair
-    initial_estimate: Pair
-    initial_covariance: Covariance2
-    initial_second_moment: Covariance2
+    process_noise_entry: Annotated[Pair, Field(description="vector by which w(k) enters the state")]
+    process_noise_variance: Annotated[NotNegative, Field(description="variance of w(k), a scalar")]
+    measurement_row: Annotated[Pair, Field(description="row C of z(k) = C x(k) + v(k)")]
+    measurement_variance: Annotated[Positive, Field(description="variance R of v(k)")]
+    sine_period: Annotated[Positive, Field(description="steps, period of the sine in A(k)")]
+    packet_bound: Annotated[int, Field(ge=1, description="steps, largest delay N of a packet")]
+    arrival_probability: Annotated[
+        Probability, Field(description="probability p that a transmission succeeds")
+    ]
+    true_initial_state: Annotated[Pair, Field(description="x(0) of every trial")]
+    initial_estimate: Annotated[Pair, Field(description="xh(0|0)")]
+    initial_covariance: Annotated[Covariance2, Field(description="P(0|0)")]
+    initial_second_moment: Annotated[Covariance2, Field(description="S(0), of x(0)")]
+
+
+class Analysis(Values):
+    """When two filters count as equal."""
+
+    equal_within: Annotated[
+        Positive, Field(description="difference of equal estimates, relative to the errors")
+    ]
 
 
 class LinearDelays(Study):
-    """..."""
+    """A stable plant of two states, one scalar measurement, packets at most N steps late.
+
+    The filters of the paper are linear; each of them sees the same packets.
+    """
 
     Parameters = Parameters
+    Analysis = Analysis
 
     def topics(self, parameters: Parameters) -> dict[str, tuple[str, ...]]:
         flags = packet_delays.flags_per_step(parameters.packet_bound, lossy=False)
@@ -54,25 +70,25 @@ class LinearDelays(Study):
             "/network": (*(f"gamma_{i}" for i in range(flags)), "delay"),
         }
 
-    def simulate(self, parameters: Parameters, streams) -> dict[str, np.ndarray]:
+    def simulate(self, parameters: Parameters, streams: StreamsOf) -> dict[str, np.ndarray]:
         steps, bound = parameters.steps, parameters.packet_bound
         entry = np.array(parameters.process_noise_entry)
         scale = np.sqrt(parameters.process_noise_variance)
         noise = scale * streams("process").standard_normal(steps)[:, :, None] * entry
         truth = linear_plant.trajectory(
-            parameters.true_initial_state, noise, parameters.sine_period
+            np.array(parameters.true_initial_state), noise, parameters.sine_period
         )
         v = np.sqrt(parameters.measurement_variance) * streams("sensor").standard_normal(steps + 1)
         z = np.vecdot(truth, np.array(parameters.measurement_row)) + v
         flags = packet_delays.arrival_flags(
             streams("network").uniform(
                 packet_delays.flags_per_step(bound, lossy=False), steps + 1
-            ),  # flag by flag: a smaller N shares its flags with a larger one
+            ),  # one flag after the other: a smaller N shares its flags with a larger one
             parameters.arrival_probability,
         )
         delay = packet_delays.delays(flags, bound)
         y = packet_delays.received(z, v, delay)
-        uncertain = np.where(flags[:, 0] == 1, z, v)  # the channel of reference [2]
+        uncertain = np.where(flags[:, 0] == 1, z, v)  # the channel of Nahi (1969)
         return {
             "/truth": truth,
             "/sensor": z[:, :, None],
@@ -104,9 +120,9 @@ class LinearDelays(Study):
             delay=delay,
         )
 
-    def rows(self, shards: Shards, analysis) -> Rows:
+    def rows(self, shards: Shards, analysis: Analysis) -> Rows:
         for i, component in enumerate(COMPONENTS):
-            # Over k = 1 ... 300.
+            # Without k = 0, where every filter has the same estimate.
             squared = shards.each(lambda runs, i=i: (runs.error[:, 1:, i] ** 2).mean(axis=1))
             yield "mse", component, metrics.mean(squared)
             yield "rmse", component, metrics.root_mean(squared)
@@ -114,13 +130,19 @@ class LinearDelays(Study):
             if claimed is not None and claimed.ndim == 2:  # the same in every trial
                 yield "claimed_mse", component, metrics.exact(claimed[1:, i].mean())
             elif claimed is not None:
-                of_each = shards.each(lambda runs, i=i: runs.claimed[:, 1:, i].mean(axis=1))
-                yield "claimed_mse", component, metrics.mean(of_each)
+                variances = shards.each(lambda runs, i=i: _claimed(runs)[:, 1:, i].mean(axis=1))
+                yield "claimed_mse", component, metrics.mean(variances)
 
     def curves(self, shards: Shards) -> Rows:
         for i, component in enumerate(COMPONENTS):
             squared = shards.each(lambda runs, i=i: runs.error[:, :, i] ** 2)
             yield "rmse", component, metrics.root_mean(squared)
+
+
+def _claimed(runs: Runs) -> np.ndarray:
+    """Claimed variances of a filter that claims some, (trials, steps, 2)."""
+    assert runs.claimed is not None
+    return runs.claimed
 
 
 STUDY = LinearDelays()

@@ -1,9 +1,9 @@
-"""Target tracking in a wireless sensor network with packet delays (Liu, Xu, Shi 2012, Sec. 4.2)."""
+"""Target tracking in a wireless sensor network with packet delays [packet_delays Sec. 4.2]."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from repro.logs import Log
 from repro.models import DelayNetwork, Model, coordinated_turn
@@ -12,6 +12,7 @@ from repro.network.tasking import ScheduledRanges
 from repro.parameters.values import (
     Covariance5,
     NotNegative,
+    Pair,
     PointParameters,
     Positive,
     Probability,
@@ -21,35 +22,89 @@ from repro.parameters.values import (
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
-from repro.studies import Rows, Study
+from repro.studies import Rows, StreamsOf, Study
 
 STATE = ("px", "py", "vx", "vy", "omega")
 
 
 class Parameters(PointParameters):
-    """Values of one point."""
+    """Values of one point. A state is (px, py, vx, vy, omega) in m, m, m/s, m/s, rad/s."""
 
-    field_side: Positive
-    sensors: Annotated[int, Field(ge=1)]
-    layout: Literal["redrawn", "fixed"]
-    fixed_layout: Annotated[tuple[tuple[Probability, Probability], ...], Field(min_length=1)]
-    sampling_time: Positive | Literal["k"]
-    initial_estimate: Row5
-    initial_covariance: Covariance5
-    true_initial_state: Literal["estimate", "drawn"]
-    true_turn_rate_variance: NotNegative
-    turn_rate_variance: NotNegative
-    measurement_variance: Positive
-    channel: Literal["lossy", "eq2"]
-    packet_bound: Annotated[int, Field(ge=0)]
-    arrival_probability: Probability
-    scheduled_on: Literal["predicted estimate", "true position"]
+    field_side: Annotated[Positive, Field(description="m, side of the square field")]
+    sensors: Annotated[int, Field(ge=1, description="number of sensors in the field")]
+    layout: Annotated[
+        Literal["redrawn", "fixed"],
+        Field(description="sensor positions: drawn in every trial, or `fixed_layout` in all"),
+    ]
+    fixed_layout: Annotated[
+        tuple[tuple[Probability, Probability], ...],
+        Field(min_length=1, description="x and y of each sensor as shares of the field's side"),
+    ]
+    sampling_time: Annotated[
+        Positive | Literal["k"],
+        Field(description="s, T of the turn angle T omega(k); `k` takes the printed k omega(k)"),
+    ]
+    initial_estimate: Annotated[Row5, Field(description="xh(0|0); m, m/s, rad/s")]
+    initial_covariance: Annotated[Covariance5, Field(description="P(0|0); m, m/s, rad/s, squared")]
+    true_initial_state: Annotated[
+        Literal["estimate", "drawn"],
+        Field(description="x(0): equal to xh(0|0), or drawn from N(xh(0|0), P(0|0))"),
+    ]
+    true_turn_rate_variance: Annotated[
+        NotNegative, Field(description="(rad/s)^2 per step, process noise of the true turn rate")
+    ]
+    turn_rate_variance: Annotated[
+        NotNegative,
+        Field(description="(rad/s)^2 per step, process noise q that the filters assume"),
+    ]
+    measurement_variance: Annotated[Positive, Field(description="m^2, variance R of a range")]
+    channel: Annotated[
+        Literal["lossy", "eq2"],
+        Field(description="packets later than N are lost, or by (2) the one of k - N always comes"),
+    ]
+    packet_bound: Annotated[int, Field(ge=0, description="steps, largest delay N of a packet")]
+    arrival_probability: Annotated[
+        Probability, Field(description="probability p that a transmission succeeds")
+    ]
+    scheduled_on: Annotated[
+        Literal["predicted estimate", "true position"],
+        Field(description="position to which the sensor that measures is the nearest"),
+    ]
+
+    @model_validator(mode="after")
+    def _fixed_layout_has_every_sensor(self) -> Self:
+        if self.layout == "fixed" and len(self.fixed_layout) != self.sensors:
+            raise ValueError(
+                f"fixed_layout has {len(self.fixed_layout)} positions; "
+                f"sensors asks for {self.sensors}"
+            )
+        return self
 
 
 class Analysis(Values):
-    """When a run has lost its target."""
+    """Thresholds of the table and the claims, and what the text says of the figures."""
 
-    lost_above: Annotated[Positive, Field(description="m, largest error of a lost run")]
+    lost_above: Annotated[Positive, Field(description="m, largest error of a run that tracks")]
+    small_error: Annotated[
+        Positive, Field(description="m, bound of the errors without losses, Fig. 4")
+    ]
+    equal_within: Annotated[
+        Positive, Field(description="difference of equal estimates, relative to the errors")
+    ]
+    figure_6_missed_step: Annotated[
+        int, Field(ge=1, description="step k at which Fig. 6 has its missed packet")
+    ]
+    figure_10_missed_packets: Annotated[
+        int, Field(ge=0, description="number of missed packets of the run in Fig. 10")
+    ]
+    figure_10_largest_errors: Annotated[
+        dict[int, Pair],
+        Field(description="m, largest error in Fig. 10 as a range, lowest and highest, by N"),
+    ]
+    typical_quantiles: Annotated[
+        tuple[Probability, Probability],
+        Field(description="quantiles of the runs between which a single run is typical"),
+    ]
 
 
 def _lossy(parameters: Parameters) -> bool:
@@ -57,11 +112,11 @@ def _lossy(parameters: Parameters) -> bool:
 
 
 def _time(parameters: Parameters, k: int) -> float:
-    """T of the step k -> k+1; the printed angle "k omega(k)" taken literally is the reading "k"."""
+    """T of the step k -> k+1 in s; `k` takes the printed angle k omega(k) literally."""
     return float(k) if parameters.sampling_time == "k" else parameters.sampling_time
 
 
-def _trajectory(parameters: Parameters, streams) -> np.ndarray:
+def _trajectory(parameters: Parameters, streams: StreamsOf) -> np.ndarray:
     steps = parameters.steps
     prior, process = streams("prior"), streams("process")
     truth = np.empty((len(prior), steps + 1, len(STATE)))
@@ -76,19 +131,22 @@ def _trajectory(parameters: Parameters, streams) -> np.ndarray:
     return truth
 
 
-def positions(log) -> np.ndarray:
+def positions(log: Log) -> np.ndarray:
     """Sensor positions of each trial, (trials, sensors, 2), in m."""
     field = log.values["/field"]
     return field.reshape(len(field), -1, 2)
 
 
-def position_error(runs) -> np.ndarray:
-    """Er(k) of Sec. 4.2.2 with xh(k|k), (trials, steps + 1), in m."""
+def position_error(runs: Runs) -> np.ndarray:
+    """Er(k) [packet_delays Sec. 4.2.2] of xh(k|k), (trials, steps + 1), in m."""
     return np.hypot(runs.error[:, :, 0], runs.error[:, :, 1])
 
 
 class WsnTracking(Study):
-    """..."""
+    """A target on a circle; in each step the sensor nearest to the predicted position measures.
+
+    The range reaches the filter on time, up to N steps late, or never.
+    """
 
     Parameters = Parameters
     Analysis = Analysis
@@ -105,11 +163,11 @@ class WsnTracking(Study):
             "/network": (*(f"gamma_{i}" for i in range(flags)), "delay"),
         }
 
-    def simulate(self, parameters: Parameters, streams) -> dict[str, np.ndarray]:
+    def simulate(self, parameters: Parameters, streams: StreamsOf) -> dict[str, np.ndarray]:
         steps, bound = parameters.steps, parameters.packet_bound
         truth = _trajectory(parameters, streams)
         sensor = streams("sensor")
-        # One sensor measures in a step, so one noise value a step serves whichever it is.
+        # One sensor measures in a step, so one value of the noise is enough, whichever it is.
         v = np.sqrt(parameters.measurement_variance) * sensor.standard_normal(steps + 1)
         positions = parameters.field_side * sensor.uniform(parameters.sensors, 2)
         if parameters.layout == "fixed":
@@ -118,7 +176,7 @@ class WsnTracking(Study):
         flags = packet_delays.arrival_flags(
             streams("network").uniform(
                 packet_delays.flags_per_step(bound, _lossy(parameters)), steps + 1
-            ),  # flag by flag: N = 0, 1 and 2 share theirs
+            ),  # one flag after the other: N = 0, 1 and 2 share theirs
             parameters.arrival_probability,
         )
         delay = packet_delays.delays(flags, bound)
@@ -167,9 +225,9 @@ class WsnTracking(Study):
 
     def lost(self, runs: Runs, analysis: Analysis) -> np.ndarray:
         """Which runs lose the target, (trials,)."""
-        return (position_error(runs)[:, 1:] > analysis.lost_above).any(axis=1)
+        return np.any(position_error(runs)[:, 1:] > analysis.lost_above, axis=1)
 
-    def rows(self, shards: Shards, analysis) -> Rows:
+    def rows(self, shards: Shards, analysis: Analysis) -> Rows:
         mean_error = shards.each(lambda runs: position_error(runs)[:, 1:].mean(axis=1))
         yield "saee", "position", metrics.mean(mean_error)
         largest_error = shards.each(lambda runs: position_error(runs)[:, 1:].max(axis=1))

@@ -1,4 +1,4 @@
-# What only this paper has: the example of its Table 1.
+# The example of [packet_delays Table 1], which comes from no trials.
 COMPUTED_TABLES["packet_delays"].append("packet_example")
 
 

@@ -1,7 +1,7 @@
 """The linear plant augmented by its last N + 1 measurements, X(k) = [x(k), z(k), ..., z(k-N)].
 
-In X the received y(k) is one random row of X without further noise: the problem of (2) is then
-linear with white random parameters, which the exact linear filters of it need.
+The received y(k) of [packet_delays (2)] is one random entry of X(k) without further noise. The
+problem is then linear with white random parameters, as the exact linear filters need it.
 """
 
 from typing import NamedTuple
@@ -12,6 +12,8 @@ from repro.models import LinearModel
 
 
 class Augmented(NamedTuple):
+    """Dynamics of X."""
+
     transition: np.ndarray  # Phi(k), (n + N + 1, n + N + 1)
     noise_covariance: np.ndarray  # of the same shape
 

@@ -1,6 +1,7 @@
-"""Gain and covariance shared by OMVF (13)-(17) and EMVF (24)-(27) (Liu, Xu, Shi 2012).
+"""Gain and covariance of OMVF [packet_delays (13)-(17)] and EMVF [packet_delays (24)-(27)].
 
-Scalar measurement. Leading axes are free: none for the linear filter, trials for the nonlinear.
+The measurement is a scalar. Leading axes are free: none for the linear filter, the trials for the
+nonlinear one.
 """
 
 from collections.abc import Sequence
@@ -10,11 +11,10 @@ import numpy as np
 
 
 class Gain(NamedTuple):
+    """The gain of one step and what it is computed from."""
+
     gain: np.ndarray  # K, (..., n)
     row: np.ndarray  # J of (16), (..., n)
-    rows: list[np.ndarray]  # J_0, J_1, ... of the terms of (16) without their weights
-    noise_variance: np.ndarray  # Qbar + Rbar, (...)
-    innovation_variance: np.ndarray  # the bracket of (14), (...)
 
 
 def quadratic(row: np.ndarray, matrix: np.ndarray) -> np.ndarray:
@@ -28,9 +28,10 @@ def measurement_rows(
     inverses: Sequence[np.ndarray],
     process_covariance: np.ndarray,
 ) -> tuple[list[np.ndarray], list[np.ndarray]]:
-    """Rows J_i of (16), which refer z(k+1-i) to x(k), and the terms of Qbar, weights left out.
+    """Rows J_i of (16), which express z(k+1-i) by x(k), and the terms of Qbar, without weights.
 
-    rows: C(k+1), C(k), C(k-1) ...; inverses: A(k-1)^-1, A(k-2)^-1 ... as far as rows reach.
+    rows: C(k+1), C(k), C(k-1), ..., (..., n) each; inverses: A(k-1)^-1, A(k-2)^-1, ...,
+    (..., n, n) each, one for every row after the second.
     """
     referred = [np.vecmat(rows[0], transition)]
     spread = [quadratic(rows[0], process_covariance)]
@@ -58,19 +59,20 @@ def gain(
 ) -> Gain:
     """Gain (14) of y(k+1) from P(k|k), S(k) and the rows C(k+1-i) of the terms that exist.
 
+    rows and inverses are as in `measurement_rows`; weights are alpha_0, alpha_1, ....
     `measurement_spread` replaces Sbar - J S J' by another variance of h over the delays (the
-    `matched` reading); `qbar_sign` is the sign of Qbar's terms i >= 2 (+1 as printed).
-    A variance that is not positive and finite gives the gain 0, hence no update.
+    reading `matched`); `qbar_sign` is the sign of the terms i >= 2 of Qbar (+1 as printed).
+    If the variance is not positive or the gain not finite, the gain is 0: no update.
     """
     referred, spread = measurement_rows(rows, transition, inverses, process_covariance)
     weights = weights[: len(referred)]
-    row = sum(weight * term for weight, term in zip(weights, referred, strict=True))  # (16)
+    row = np.sum([w * term for w, term in zip(weights, referred, strict=True)], axis=0)  # (16)
     signs = [1] * min(2, len(spread)) + [qbar_sign] * (len(spread) - 2)
     qbar = sum(s * w * term for s, w, term in zip(signs, weights, spread, strict=True))
-    # N = 0 carries noise whether or not the packet arrives: Rbar = R, not p R.
+    # With N = 0 there is noise whether or not the packet arrives: Rbar = R, not p R.
     rbar = measurement_variance * (weights.sum() if len(weights) > 1 else 1.0)
     if measurement_spread is None:
-        # Sbar - J S J' in one sum: its two parts cancel terms of the size of S.
+        # Sbar - J S J' at once: the two cancel to a small difference of terms as large as S.
         sbar = sum(
             w * quadratic(term, second_moment) for w, term in zip(weights, referred, strict=True)
         )
@@ -86,7 +88,7 @@ def gain(
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         value = cross / variance[..., None]  # (14)
     usable = (variance > 0) & np.isfinite(value).all(axis=-1)
-    return Gain(np.where(usable[..., None], value, 0.0), row, referred, qbar + rbar, variance)
+    return Gain(np.where(usable[..., None], value, 0.0), row)
 
 
 def covariance_update(
@@ -97,7 +99,10 @@ def covariance_update(
     covariance: np.ndarray,
     process_covariance: np.ndarray,
 ) -> np.ndarray:
-    """P(k+1|k+1) of (15) and (25), symmetrised: the printed form is not symmetric in rounding."""
+    """P(k+1|k+1) of (15) and (25), (..., n, n).
+
+    Symmetrised: rounding makes the printed form unsymmetric.
+    """
     reduced = transition - step.gain[..., :, None] * step.row[..., None, :]  # F of (13)
     correction = (
         process_covariance
@@ -112,5 +117,5 @@ def covariance_update(
 def second_moment_update(
     transition: np.ndarray, second_moment: np.ndarray, process_covariance: np.ndarray
 ) -> np.ndarray:
-    """S(k+1) of (17) and (27)."""
+    """S(k+1) of (17) and (27), (..., n, n)."""
     return transition @ second_moment @ np.swapaxes(transition, -1, -2) + process_covariance

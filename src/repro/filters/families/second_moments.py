@@ -1,7 +1,7 @@
-"""Exact second moments of plant and filter for filters of form (6), xh <- F xh + K y.
+"""Exact second moments of plant and filter for filters xh <- F xh + K y [packet_delays (6)].
 
-Y = [X, xh] stacks the augmented plant and the estimate; its second moment follows a linear
-recursion whatever F and K are, so that a filter's true mean square error needs no sampling.
+Y = [X, xh] stacks the augmented plant and the estimate. Its second moment follows a linear
+recursion for any F and K, so that a filter's true mean square error needs no sampling.
 """
 
 import numpy as np
@@ -14,7 +14,7 @@ from repro.network.packet_delays import mean_weights
 def initial(model: LinearModel, state_moment: np.ndarray) -> np.ndarray:
     """Second moment of Y(0) when E[x(0) x(0)'] = state_moment and xh(0) is the initial mean.
 
-    Taken for the initial mean 0 of the linear example: the cross moments with xh(0) are then 0.
+    It holds for the initial mean 0 of the linear example, where xh(0) = 0.
     """
     n = len(model.initial_mean)
     size = n + model.network.bound + 1
@@ -35,7 +35,7 @@ def predict(model: LinearModel, moment: np.ndarray, k: int) -> np.ndarray:
 
 
 def with_measurement(model: LinearModel, moment: np.ndarray) -> tuple[np.ndarray, float]:
-    """E[Y y] and E[y^2] for the y received in that step, which is one random row of X."""
+    """E[Y y] and E[y^2] for the y received in that step, which is one random entry of X."""
     n = len(model.initial_mean)
     weights = mean_weights(model.network.arrival_probability, model.network.bound)
     z = slice(n, n + len(weights))

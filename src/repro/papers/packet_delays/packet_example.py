@@ -1,6 +1,7 @@
-"""Which packet is used at which step, for printed flags [packet_delays Table 1]."""
+"""Which packet is used in which step, for the printed flags [packet_delays Table 1]."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -8,8 +9,8 @@ from repro.network import packet_delays
 from repro.tables.csv_file import write_csv
 
 
-def tabulate(name: str, example: dict, path: str | Path) -> None:
-    """The packet that arrives at k = 1, 2, ... for given flags."""
+def tabulate(name: str, example: dict[str, Any], path: str | Path) -> None:
+    """Write the packet that arrives at k = 1, 2, ... for the flags (N, steps) of an example."""
     flags = np.array(example["flags"], dtype=float)
     before = np.ones((1, len(flags), 1))  # k = 0, which the table leaves out
     delay = packet_delays.delays(

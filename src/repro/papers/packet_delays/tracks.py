@@ -1,66 +1,98 @@
-"""Figures 3-10 of Liu, Xu, Shi 2012: one run in the field, and its error over k."""
+"""One run in the field, and its error over k [packet_delays Figs. 3-10]."""
 
 from typing import NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
 
+from repro.papers.packet_delays.points import TRACKING, missed_packets, tracking_point
 from repro.plot import style
+from repro.statistics.runs import Runs
 from repro.studies import wsn_tracking
 from repro.tables.results import Results
 
-STUDY = "wsn_tracking"
 MARGIN = 15  # m drawn round the field
 
 
 class Curve(NamedTuple):
+    """What is drawn of one filter."""
+
     label: str
     point: str
     filter: str
     look: dict
 
 
-def curves(results: Results, p: str, ekf: bool) -> list[Curve]:
+def curves(results: Results, arrival: str, ekf: bool) -> list[Curve]:
     """EMVF with N = 1 and N = 2, and each other filter once; the EKF where the paper draws it."""
+    first, second = (tracking_point(bound, arrival) for bound in (1, 2))
     drawn = []
-    for filter_ in results.filters(STUDY, f"n1-arrival={p}"):
-        look = style.look(results.catalogue, STUDY, filter_)
+    for filter_ in results.filters(TRACKING, first):
+        look = style.look(results.catalogue, TRACKING, filter_)
         if filter_ == "emvf":
-            drawn.append(Curve("EMVF, N = 1", f"n1-arrival={p}", filter_, look))
-            second = look | {"color": style.COLOURS[3], "marker": "s"}
-            drawn.append(Curve("EMVF, N = 2", f"n2-arrival={p}", filter_, second))
+            drawn.append(Curve("EMVF, N = 1", first, filter_, look))
+            other = look | {"color": style.COLOURS[3], "marker": "s"}
+            drawn.append(Curve("EMVF, N = 2", second, filter_, other))
         elif filter_ != "ekf" or ekf:
-            drawn.append(Curve(style.label(filter_), f"n1-arrival={p}", filter_, look))
+            drawn.append(Curve(style.label(filter_), first, filter_, look))
     return drawn
 
 
-def missed_steps(results: Results, p: str) -> np.ndarray:
-    """Steps whose packet is late or lost, (trials, steps + 1); the same for N = 1 and N = 2."""
-    return results.log(STUDY, f"n1-arrival={p}").field("/network", "gamma_0") == 0
+def missed_steps(results: Results, arrival: str) -> np.ndarray:
+    """Whether the packet of k = 1, 2, ... is late or lost, (trials, steps); N = 1 and 2 agree."""
+    return missed_packets(results.log(TRACKING, tracking_point(1, arrival)))
 
 
-def first_trial(condition: np.ndarray) -> int:
-    """The first trial that shows the packet pattern the paper describes; 0 if none does."""
-    return int(condition.argmax())
+def run_missing(results: Results, arrival: str, number: int) -> int:
+    """The first run that misses this number of packets; 0 if none does."""
+    return int((missed_steps(results, arrival).sum(axis=1) == number).argmax())
 
 
-def trajectories(results: Results, p: str, trial: int, ekf: bool) -> Figure:
+def run_missing_step(results: Results, arrival: str, k: int) -> int:
+    """The first run that misses the packet of step k and no other; 0 if none does."""
+    missed = missed_steps(results, arrival)
+    return int(((missed.sum(axis=1) == 1) & missed[:, k - 1]).argmax())
+
+
+def run_of_figure_6(results: Results, arrival: str) -> int:
+    """The first run that misses the packet of the step that the paper names, and no other."""
+    return run_missing_step(results, arrival, results.analysis(TRACKING).figure_6_missed_step)
+
+
+def run_of_figure_8(results: Results, arrival: str) -> int:
+    """The first run that misses as many packets as a run does on average, rounded."""
+    parameters = results.parameters(TRACKING, tracking_point(1, arrival))
+    mean = parameters.steps * (1 - parameters.arrival_probability)
+    return run_missing(results, arrival, round(mean))
+
+
+def run_of_figure_10(results: Results, arrival: str) -> int:
+    """The first run that misses as many packets as the one that the paper shows."""
+    return run_missing(results, arrival, results.analysis(TRACKING).figure_10_missed_packets)
+
+
+def _largest_error(runs: Runs, trial: int) -> float:
+    return wsn_tracking.position_error(runs)[trial, 1:].max()
+
+
+def trajectories(results: Results, arrival: str, trial: int, ekf: bool) -> Figure:
     """One panel a filter: field, sensors, tasked sensors, true and estimated positions, links."""
-    shown = curves(results, p, ekf)
+    shown = curves(results, arrival, ekf)
+    side = results.parameters(TRACKING, shown[0].point).field_side
     columns = min(len(shown), 2)
     rows = -(-len(shown) // columns)
     drawn, grid = style.figure(rows, columns, size=(3.9 * columns, 3.9 * rows), squeeze=False)
     for axes in grid.flat[len(shown) :]:
         axes.remove()
     for axes, curve in zip(grid.flat, shown, strict=False):
-        log = results.log(STUDY, curve.point)
-        runs = results.runs(STUDY, curve.point, curve.filter)
+        log = results.log(TRACKING, curve.point)
+        runs = results.runs(TRACKING, curve.point, curve.filter)
         truth = log.values["/truth"][trial]
         estimate = truth + runs.error[trial]
         sensors = wsn_tracking.positions(log)[trial]
         tasked = sensors[runs.recorded["tasked"][trial]]
         links = np.stack([estimate[:, :2], tasked], axis=1)
-        axes.plot(*links.transpose(2, 1, 0), color="#0072B2", lw=0.4, alpha=0.6)
+        axes.plot(*links.transpose(2, 1, 0), color=style.COLOURS[0], lw=0.4, alpha=0.6)
         axes.plot(*truth[:, :2].T, color="black", lw=1.2, label="true")
         axes.plot(
             *estimate[:, :2].T,
@@ -71,24 +103,27 @@ def trajectories(results: Results, p: str, trial: int, ekf: bool) -> Figure:
             label="estimate",
         )
         axes.plot(*sensors.T, "o", mfc="none", color="0.4", ms=5, label="sensor")
-        axes.plot(*tasked.T, "*", color="#E69F00", ms=7, label="tasked sensor")
-        worst = np.hypot(*runs.error[trial, 1:, :2].T).max()
+        axes.plot(*tasked.T, "*", color=style.COLOURS[4], ms=7, label="tasked sensor")
         axes.set(
-            title=f"{curve.label}: largest error {worst:.3g} m",
+            title=f"{curve.label}: largest error {_largest_error(runs, trial):.3g} m",
             xlabel="x in m",
             ylabel="y in m",
-            xlim=(-MARGIN, 100 + MARGIN),
-            ylim=(-MARGIN, 100 + MARGIN),
+            xlim=(-MARGIN, side + MARGIN),
+            ylim=(-MARGIN, side + MARGIN),
             aspect="equal",
         )
         axes.title.set_fontsize(9)
     grid.flat[0].legend(fontsize=7, loc="lower left")
-    drawn.suptitle(f"p = {p}, run {trial}", fontsize=10)
+    drawn.suptitle(f"p = {arrival}, run {trial}", fontsize=10)
     return drawn
 
 
 def error_over_k(
-    results: Results, p: str, trial: int, ekf: bool, published: dict[str, tuple[float, float]]
+    results: Results,
+    arrival: str,
+    trial: int,
+    ekf: bool,
+    published: dict[str, tuple[float, float]] | None = None,
 ) -> Figure:
     """Er(k) of one run, the 10-90 % band over all runs, and which packets come on time.
 
@@ -97,9 +132,11 @@ def error_over_k(
     drawn, (axes, strip) = style.figure(
         2, 1, size=(7.2, 5.0), sharex=True, gridspec_kw={"height_ratios": [6, 1]}
     )
-    table = results.curves(STUDY)
-    for curve in curves(results, p, ekf):
-        error = wsn_tracking.position_error(results.runs(STUDY, curve.point, curve.filter))[trial]
+    shown = curves(results, arrival, ekf)
+    table = results.curves(TRACKING)
+    for curve in shown:
+        runs = results.runs(TRACKING, curve.point, curve.filter)
+        error = wsn_tracking.position_error(runs)[trial]
         steps = np.arange(1, len(error))
         rows = table[(table["point"] == curve.point) & (table["filter"] == curve.filter)]
         rows = rows[rows["k"] > 0]
@@ -107,7 +144,7 @@ def error_over_k(
         axes.fill_between(
             rows["k"], rows["q10"], rows["q90"], color=curve.look["color"], alpha=0.13, lw=0
         )
-    for name, (low, high) in published.items():
+    for name, (low, high) in (published or {}).items():
         axes.axhline(high, color="black", lw=1, ls=":")
         axes.axhline(low, color="black", lw=1, ls=":")
         axes.annotate(
@@ -124,10 +161,31 @@ def error_over_k(
         yscale="log",
         ylim=(5e-4, None),
         ylabel="position error Er(k) in m",
-        title=f"p = {p}: lines are run {trial}, bands 10 to 90 % of all runs",
+        title=f"p = {arrival}: lines are run {trial}, bands 10 to 90 % of all runs",
     )
     axes.legend(fontsize=8, ncols=2)
-    gamma = ~missed_steps(results, p)[trial, 1:]
-    strip.step(np.arange(1, len(gamma) + 1), gamma, where="mid", color="black", lw=1)
-    strip.set(xlabel="k (steps of 0.1 s)", ylabel=r"$\gamma_0(k)$", yticks=[0, 1], ylim=(-0.2, 1.2))
+    on_time = ~missed_steps(results, arrival)[trial]
+    time = results.parameters(TRACKING, shown[0].point).sampling_time
+    strip.step(np.arange(1, len(on_time) + 1), on_time, where="mid", color="black", lw=1)
+    strip.set(
+        xlabel=f"k (steps of {time} s)",
+        ylabel=r"$\gamma_0(k)$",
+        yticks=[0, 1],
+        ylim=(-0.2, 1.2),
+    )
     return drawn
+
+
+def printed_small_error(results: Results) -> dict[str, tuple[float, float]]:
+    """The bound of the errors in Fig. 4, for `error_over_k`."""
+    bound = results.analysis(TRACKING).small_error
+    return {f"Fig. 4: below {bound:g} m": (bound, bound)}
+
+
+def printed_largest_errors(results: Results) -> dict[str, tuple[float, float]]:
+    """The largest errors in Fig. 10, for `error_over_k`."""
+    labels = {}
+    for bound, (low, high) in results.analysis(TRACKING).figure_10_largest_errors.items():
+        printed = f"{low:g} m" if low == high else f"{low:g} to {high:g} m"
+        labels[f"Fig. 10, N = {bound}: {printed}"] = (low, high)
+    return labels
