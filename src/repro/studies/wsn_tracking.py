@@ -151,6 +151,7 @@ class WsnTracking(Study):
     Parameters = Parameters
     Analysis = Analysis
     trajectory = (("px", "py"),)
+    error_unit = "m"
 
     def topics(self, parameters: Parameters) -> dict[str, tuple[str, ...]]:
         sensors = range(1, parameters.sensors + 1)
@@ -222,6 +223,10 @@ class WsnTracking(Study):
             bound=parameters.packet_bound,
             true_positions=log.values["/truth"][trials, :, :2] if on_truth else None,
         )
+
+    def squared_error(self, runs: Runs) -> np.ndarray:
+        """Squared position error at k = 1, 2, ..., (trials, steps), in m^2."""
+        return position_error(runs)[:, 1:] ** 2
 
     def lost(self, runs: Runs, analysis: Analysis) -> np.ndarray:
         """Which runs lose the target, (trials,)."""

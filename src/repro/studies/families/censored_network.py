@@ -167,6 +167,7 @@ class CensoredNetwork(Study):
     Parameters = Parameters
     Analysis = Analysis
     systems_per_block = 4  # so that the readings of all particles fit in a cache of 1 MB
+    error_unit = "m"
     trajectory = tuple((f"px_{i}", f"py_{i}") for i in TARGETS)
 
     def topics(self, parameters: Parameters) -> Fields:
@@ -267,6 +268,10 @@ class CensoredNetwork(Study):
             group = log.values["/network"][trials][:, :, : len(TARGETS)]
             known = (group[..., None] == np.arange(1, shape[-1] + 1)).astype(float)
         return Recorded(received=values, code=codes.astype(int), group_probability=known)
+
+    def squared_error(self, runs: Runs) -> np.ndarray:
+        """Squared position error, mean of the targets, at k = 1, 2, ..., (trials, steps), in m^2."""
+        return squared_distance(runs)[:, 1:].mean(axis=-1)
 
     def lost(self, runs: Runs, analysis: Analysis) -> np.ndarray:
         """Whether a run loses a target at some step, (trials,)."""
