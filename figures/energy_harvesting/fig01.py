@@ -1,8 +1,11 @@
 """Figure 1: block diagram of the networked system."""
 
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.patches import FancyBboxPatch
 
 from repro.plot import style
+from repro.tables.results import Results
 
 NEEDS = {"points": {"rss_2d": ["base"]}}
 CAPTION = (
@@ -11,7 +14,16 @@ CAPTION = (
 )
 
 
-def box(axes, x, y, text, colour, width=1.7, height=0.62):
+def box(
+    axes: Axes,
+    x: float,
+    y: float,
+    text: str,
+    colour: str,
+    width: float = 1.7,
+    height: float = 0.62,
+) -> None:
+    """A rounded box with its text, centred on (x, y)."""
     axes.add_patch(
         FancyBboxPatch(
             (x - width / 2, y - height / 2),
@@ -26,14 +38,21 @@ def box(axes, x, y, text, colour, width=1.7, height=0.62):
     axes.text(x, y, text, ha="center", va="center", fontsize=8.5)
 
 
-def arrow(axes, start, end, text="", above=0.12):
+def arrow(
+    axes: Axes,
+    start: tuple[float, float],
+    end: tuple[float, float],
+    text: str = "",
+    above: float = 0.12,
+) -> None:
+    """An arrow with a text above its middle."""
     axes.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": "black", "lw": 1})
     middle = ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2 + above)
     axes.text(*middle, text, ha="center", va="bottom", fontsize=8.5)
 
 
-def draw(results):
-    parameters = results.log("rss_2d", "base").parameters
+def draw(results: Results) -> Figure:
+    parameters = results.parameters("rss_2d", "base")
     capacity = parameters.energy_capacity
     drawn, axes = style.figure(size=(9.4, 4.0))
     axes.set(xlim=(-0.15, 13.6), ylim=(-0.1, 4.85))

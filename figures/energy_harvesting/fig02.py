@@ -1,20 +1,24 @@
 """Figure 2: the scalar example in one run."""
 
 import numpy as np
+from matplotlib.figure import Figure
 
-from repro.papers.energy_harvesting.drawings import RUN, estimates
+from repro.papers.energy_harvesting.compared import PROPOSED
+from repro.papers.energy_harvesting.drawings import estimates, shown_run
 from repro.plot import style
+from repro.tables.results import Results
 
 NEEDS = {"points": {"ungm": ["base"]}}
 CAPTION = (
-    "Figure 2. The scalar example, the first run, not a chosen one: truth, PF-ROSS-EH and SPF. The "
-    "title says in how many runs PF-ROSS-EH errs less."
+    "Figure 2. The scalar example in one run, not a selected one: truth, PF-ROSS-EH and SPF. The "
+    "title says in how many runs PF-ROSS-EH has the smaller error."
 )
+SHOWN = (PROPOSED, "spf")
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     drawn, axes = style.figure(size=(7.4, 4.2))
-    shown = estimates(results, "ungm")
+    shown = estimates(results, "ungm", SHOWN)
     for name, x in shown.items():
         k = np.arange(len(x))
         if name == "truth":
@@ -25,10 +29,10 @@ def draw(results):
             look = style.look(results.catalogue, "ungm", name)
             axes.plot(k, x[:, 0], lw=1, ms=3.5, label=label, **look)
     ours, theirs = (
-        (results.runs("ungm", "base", name).error[:, 1:] ** 2).mean(axis=(1, 2))
-        for name in ("pf_ross_eh", "spf")
+        (results.runs("ungm", "base", name).error[:, 1:] ** 2).mean(axis=(1, 2)) for name in SHOWN
     )
-    title = f"run {RUN}; PF-ROSS-EH errs less in {(ours < theirs).sum()} of {len(ours)} runs"
+    smaller = f"{style.label(PROPOSED)} errs less in {(ours < theirs).sum()} of {len(ours)} runs"
+    title = f"run {shown_run(results, 'ungm')}; {smaller}"
     axes.set(xlabel="k", ylabel="$x_k$", title=title)
     axes.legend(fontsize=8, ncols=3, loc="upper center")
     axes.set_ylim(top=29)

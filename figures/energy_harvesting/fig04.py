@@ -1,29 +1,37 @@
-"""Figure 4: output of sensor 4 and the instants at which it is saturated."""
+"""Figure 4: output of one sensor and the instants at which it is saturated."""
 
 import numpy as np
+from matplotlib.figure import Figure
 
-from repro.papers.energy_harvesting.drawings import RUN, SENSOR, sensor_of_run
+from repro.papers.energy_harvesting.drawings import shown_run, shown_sensor, step_label
 from repro.plot import style
+from repro.tables.results import Results
 
 NEEDS = {"points": {"rss_2d": ["base"]}}
-CAPTION = "Figure 4. Output of sensor 4 in the first run, and where it is saturated."
+CAPTION = (
+    "Figure 4. Output of the sensor that the paper shows, in one run, not a selected one, and the "
+    "instants at which it is saturated."
+)
 
 
-def draw(results):
-    of = sensor_of_run(results)
-    k = np.arange(len(of["y"]))
+def draw(results: Results) -> Figure:
+    parameters, sensor = results.parameters("rss_2d", "base"), shown_sensor(results)
+    level, output = parameters.saturation_level, sensor.output
+    k = np.arange(len(output))
     drawn, axes = style.figure(size=(7.4, 3.8))
-    axes.plot(k, of["y"], ".-", color=style.COLOURS[0], lw=0.9, ms=4, label=f"$y_k^{SENSOR}$")
+    label = f"$y_k^{sensor.number}$"
+    axes.plot(k, output, ".-", color=style.COLOURS[0], lw=0.9, ms=4, label=label)
     axes.plot(
-        k[of["saturated"]],
-        of["y"][of["saturated"]],
+        k[sensor.saturated],
+        output[sensor.saturated],
         "o",
         mfc="none",
         color=style.COLOURS[1],
         ms=8,
-        label=r"saturated ($\gamma_k=1$, $|h|>30$ dBm)",
+        label=rf"saturated ($\gamma_k=1$, $|h|>{level:g}$ dBm)",
     )
-    axes.axhline(-30, color="0.5", ls=":", lw=1, label=r"$-\kappa_{\max}$")
-    axes.set(xlabel="k (steps of 1 s)", ylabel="output in dBm", title=f"sensor {SENSOR}, run {RUN}")
+    axes.axhline(-level, color="0.5", ls=":", lw=1, label=r"$-\kappa_{\max}$")
+    title = f"sensor {sensor.number}, run {shown_run(results, 'rss_2d')}"
+    axes.set(xlabel=step_label(parameters), ylabel="output in dBm", title=title)
     axes.legend(fontsize=8)
     return drawn

@@ -1,30 +1,37 @@
-"""Figure 5: energy level of sensor 4 and the instants at which it transmits."""
+"""Figure 5: energy level of one sensor and the instants at which it transmits."""
 
 import numpy as np
+from matplotlib.figure import Figure
 
-from repro.papers.energy_harvesting.drawings import RUN, SENSOR, sensor_of_run
+from repro.papers.energy_harvesting.drawings import shown_run, shown_sensor, step_label
 from repro.plot import style
+from repro.tables.results import Results
 
 NEEDS = {"points": {"rss_2d": ["base"]}}
-CAPTION = "Figure 5. Energy level of sensor 4 in the first run, and when it transmits."
+CAPTION = (
+    "Figure 5. Energy level of the sensor that the paper shows, in one run, not a selected one, "
+    "and the instants at which it transmits."
+)
 
 
-def draw(results):
-    of = sensor_of_run(results)
-    k = np.arange(len(of["y"]))
+def draw(results: Results) -> Figure:
+    parameters, sensor = results.parameters("rss_2d", "base"), shown_sensor(results)
+    k = np.arange(len(sensor.energy))
     drawn, (axes, strip) = style.figure(
         2, 1, size=(7.4, 4.0), sharex=True, gridspec_kw={"height_ratios": [3, 1]}
     )
-    axes.step(k, of["energy"], where="mid", color=style.COLOURS[0], lw=1.2)
+    axes.step(k, sensor.energy, where="mid", color=style.COLOURS[0], lw=1.2)
     axes.set(
-        ylabel=f"$E_k^{SENSOR}$ in units", yticks=range(4), title=f"sensor {SENSOR}, run {RUN}"
+        ylabel=f"$E_k^{sensor.number}$ in units",
+        yticks=range(parameters.energy_capacity + 1),
+        title=f"sensor {sensor.number}, run {shown_run(results, 'rss_2d')}",
     )
-    strip.vlines(k[of["sent"]], 0, 1, color=style.COLOURS[2], lw=2)
+    strip.vlines(k[sensor.sent], 0, 1, color=style.COLOURS[2], lw=2)
     strip.set(
-        xlabel="k (steps of 1 s)",
+        xlabel=step_label(parameters),
         ylabel="sent",
         yticks=[],
-        title=f"{of['sent'][1:].mean():.0%} of k = 1 ... {k[-1]}",
+        title=f"{sensor.sent[1:].mean():.0%} of k = 1 ... {k[-1]}",
     )
     strip.title.set_fontsize(8)
     return drawn

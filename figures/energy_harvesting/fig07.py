@@ -1,6 +1,9 @@
 """Figure 7: velocity RMSE in the plane."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.energy_harvesting.drawings import rmse_figure
+from repro.tables.results import Results
 
 NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["base"]}}
 CAPTION = (
@@ -9,5 +12,5 @@ CAPTION = (
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     return rmse_figure(results, "rss_2d", "velocity")

@@ -1,20 +1,17 @@
 """Figure 8: RMSE of PF-ROSS-EH by the probability of saturation."""
 
-from repro.papers.energy_harvesting.drawings import sweep_figure
+from matplotlib.figure import Figure
 
-NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["base"]}}
+from repro.papers.energy_harvesting.compared import SATURATIONS
+from repro.papers.energy_harvesting.drawings import sweep_figure
+from repro.tables.results import Results
+
+NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["base", "gamma=0.5", "gamma=0.8"]}}
 CAPTION = (
     "Figure 8. RMSE of PF-ROSS-EH over k by the probability of saturation; "
     "in grey the prediction without data."
 )
 
 
-def draw(results):
-    return sweep_figure(
-        results,
-        {
-            "base": r"$\bar{\gamma}=0.2$",
-            "gamma=0.5": r"$\bar{\gamma}=0.5$",
-            "gamma=0.8": r"$\bar{\gamma}=0.8$",
-        },
-    )
+def draw(results: Results) -> Figure:
+    return sweep_figure(results, SATURATIONS)

@@ -1,13 +1,17 @@
 """Figure 9: RMSE of PF-ROSS-EH by the number of sensors."""
 
-from repro.papers.energy_harvesting.drawings import sweep_figure
+from matplotlib.figure import Figure
 
-NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["base"]}}
+from repro.papers.energy_harvesting.compared import SENSORS
+from repro.papers.energy_harvesting.drawings import sweep_figure
+from repro.tables.results import Results
+
+NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["sensors=2", "base", "sensors=6"]}}
 CAPTION = (
     "Figure 9. RMSE of PF-ROSS-EH over k by the number of sensors; "
     "in grey the prediction without data."
 )
 
 
-def draw(results):
-    return sweep_figure(results, {"sensors=2": "N = 2", "base": "N = 4", "sensors=6": "N = 6"})
+def draw(results: Results) -> Figure:
+    return sweep_figure(results, SENSORS)

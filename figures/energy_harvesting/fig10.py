@@ -1,6 +1,10 @@
 """Figure 10: RMSE of PF-ROSS-EH by the harvest."""
 
+from matplotlib.figure import Figure
+
+from repro.papers.energy_harvesting.compared import HARVESTS
 from repro.papers.energy_harvesting.drawings import sweep_figure
+from repro.tables.results import Results
 
 NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["base"]}}
 CAPTION = (
@@ -8,5 +12,5 @@ CAPTION = (
 )
 
 
-def draw(results):
-    return sweep_figure(results, {"base": r"$\Pi_1$", "harvest=pi_2": r"$\Pi_2$"})
+def draw(results: Results) -> Figure:
+    return sweep_figure(results, HARVESTS)

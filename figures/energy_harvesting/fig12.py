@@ -1,6 +1,9 @@
 """Figure 12: position RMSE in space."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.energy_harvesting.drawings import rmse_figure
+from repro.tables.results import Results
 
 NEEDS = {"tables": ["rss_3d"], "points": {"rss_3d": ["base"]}}
 CAPTION = (
@@ -9,5 +12,5 @@ CAPTION = (
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     return rmse_figure(results, "rss_3d", "position")

@@ -1,27 +1,30 @@
-"""What the unstated choices are worth: RMSE of the filters under each reading."""
+"""What the choices that the paper leaves open change: RMSE of the filters under each reading."""
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from repro.plot import style
+from repro.plot.sweep import BAND
+from repro.tables.results import Results
 
 NEEDS = {"tables": ["rss_2d", "ungm"]}
 CAPTION = (
-    "RMSE (mean over k) under one changed assumption at a time, with two standard errors: position "
-    "in the plane on the left, the scalar example on the right. Crosses are median runs."
+    "RMSE (mean over k) under one changed assumption at a time, with its band: position in the "
+    "plane on the left, the scalar example on the right. Crosses are median runs."
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     drawn, grid = style.figure(1, 2, size=(10.6, 5.6))
     for axes, study, component, unit in zip(
         grid, ("rss_2d", "ungm"), ("position", "state"), (" in m", ""), strict=True
     ):
         table = results.table(study)
-        table = table[(table["metric"] == "rmse") & (table["component"] == component)]
+        table = table.loc[(table["metric"] == "rmse") & (table["component"] == component)]
         points = [p for p in results.catalogue[study] if p == "base" or p.startswith("reading-")]
         filters = results.filters(study, "base")
         for filter_ in filters:
-            rows = table[table["filter"] == filter_].set_index("point")
+            rows = table.loc[table["filter"] == filter_].set_index("point")
             place = [i for i, point in enumerate(points) if point in rows.index]
             rows = rows.loc[[points[i] for i in place]]
             shift = 0.11 * (filters.index(filter_) - (len(filters) - 1) / 2)
@@ -30,7 +33,7 @@ def draw(results):
             axes.errorbar(
                 rows["value"],
                 at,
-                xerr=2 * rows["mcse"],
+                xerr=BAND * rows["mcse"],
                 ls="none",
                 ms=4,
                 lw=1,

@@ -1,43 +1,50 @@
 """Table II: the parameters of the tracking example, from the log that was simulated with them."""
 
+from collections.abc import Sequence
+
+from matplotlib.figure import Figure
+
+from repro.papers.energy_harvesting.symbols import SYMBOLS
 from repro.plot import style
+from repro.tables.results import Results
 
 NEEDS = {"points": {"rss_2d": ["base"]}}
 CAPTION = (
-    "Table II. Parameters of the tracking example as printed, and as the attachment of the log of "
-    "our runs gives them."
+    "Table II. Parameters of the tracking example, as attached to the log of our runs; and the "
+    "number of runs here and in the paper."
 )
-PRINTED = (
-    ("$T$", "sampling_time", 1, "s"),
-    ("$N$", "sensors", 4, ""),
-    ("$d_0$", "reference_distance", 1, "m"),
-    ("$n_r$", "path_loss_exponent", 2, ""),
-    (r"$\bar{\gamma}^i$", "saturation_probability", 0.2, ""),
-    ("$E_0^i$", "initial_energy", 1, ""),
-    (r"$\bar{E}^i$", "energy_capacity", 3, ""),
-    (r"$\bar{H}$", "harvest_transition", 3, ""),
-    ("$P_0$", "reference_power", 1, "dBm"),
-    (r"$\kappa_{\max}$", "saturation_level", 30, "dBm"),
-    (r"$\sigma_{\nu,1...4}^2$", "measurement_variances", (0.1, 0.049, 0.064, 0.144), "dBm$^2$"),
-    (r"$\sigma_{n,i}^2$", "channel_variance", 0.001, "dBm$^2$"),
-    (r"$\Delta$", "acceleration_variance", 0.0016, "m$^2$/s$^4$"),
-    ("$MC$", "trials", 100, ""),
+NAMES = (
+    "sampling_time",
+    "sensors",
+    "reference_distance",
+    "path_loss_exponent",
+    "saturation_probability",
+    "initial_energy",
+    "energy_capacity",
+    "harvest_transition",
+    "reference_power",
+    "saturation_level",
+    "measurement_variances",
+    "channel_variance",
+    "acceleration_variance",
+    "trials",
 )
 
 
-def said(value) -> str:
-    return ", ".join(f"{entry:g}" for entry in (value if isinstance(value, tuple) else (value,)))
+def numbers(value: float | Sequence[float]) -> str:
+    """A number, or several, as a cell shows them."""
+    values = value if isinstance(value, Sequence) else (value,)
+    return ", ".join(f"{entry:g}" for entry in values)
 
 
-def draw(results):
-    parameters = results.log("rss_2d", "base").parameters
-    ours = parameters | {
+def draw(results: Results) -> Figure:
+    parameters = results.parameters("rss_2d", "base")
+    values = parameters.plain() | {
         "harvest_transition": len(parameters.harvest_transition) - 1,
-        "measurement_variances": tuple(parameters.measurement_variances[: parameters.sensors]),
+        "measurement_variances": parameters.measurement_variances[: parameters.sensors],
     }
-    rows = [
-        (symbol, name, said(printed), said(ours[name]), unit)
-        for symbol, name, printed, unit in PRINTED
-    ]
-    heads = ("symbol", "parameter", "printed", "here", "unit")
-    return style.table(rows, heads, widths=(0.14, 0.3, 0.23, 0.23, 0.1))
+    symbols = {name: SYMBOLS[name].text for name in NAMES} | {"harvest_transition": r"$\bar{H}$"}
+    rows = [(symbols[name], name, numbers(values[name]), SYMBOLS[name].unit) for name in NAMES]
+    printed = results.analysis("rss_2d").printed_trials
+    rows.append((symbols["trials"], "trials in the paper", numbers(printed), ""))
+    return style.table(rows, ("symbol", "parameter", "value", "unit"), (0.16, 0.36, 0.34, 0.14))

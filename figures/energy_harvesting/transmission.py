@@ -1,20 +1,23 @@
 """The transmission probability by Lemma 1, by the exact chain, and as simulated."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.energy_harvesting.drawings import transmission
 from repro.plot import style
+from repro.tables.results import Results
 
 NEEDS = {
     "points": {"rss_2d": ["base", "harvest=pi_2"], "ungm": ["reading-harvest=identity"]},
 }
 CAPTION = (
     "Transmission probability over k by Lemma 1, by the exact chain of (E, H), and as simulated, "
-    "with two standard errors. Lemma 1 takes E(k-1) and H(k) for independent, which they are only "
-    "if the rows of the harvest's matrix are alike."
+    "with its band. Lemma 1 assumes that E(k-1) and H(k) are independent, which they are only if "
+    "the rows of the harvest's transition matrix are identical."
 )
-LAST = 30
+LAST = 30  # last step drawn
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     drawn, grid = style.figure(1, 3, size=(10.2, 3.9))
     for axes, (study, point, title) in zip(
         grid,

@@ -1,4 +1,4 @@
-"""PF-ROSS-EH and what it rests on against exact answers (Song et al.)."""
+"""PF-ROSS-EH and what it is built on against exact answers [energy_harvesting]."""
 
 import numpy as np
 import pytest
@@ -11,18 +11,21 @@ from repro.network import energy_harvesting
 from repro.network.energy_harvesting import EnergyQueue
 from repro.network.saturation import Saturation, saturated
 from repro.parameters.load import load_paper
+from repro.parameters.settings import Bootstrap
 from repro.run import run
 from repro.simulate import simulated
 from repro.streams import Streams
+from tests.conftest import ROOT
 
-PAPER = load_paper("params/energy_harvesting.yaml", "workflow/schemas")
+PAPER = load_paper(ROOT / "params" / "energy_harvesting.yaml")
 PI_1 = np.array(PAPER.studies["ungm"]["base"].parameters.harvest_transition)
 SEED = 7
 BOOTSTRAP = {"resampling": "systematic", "weights": "logarithmic"}
 
 
 def log_of(study, trials, point="base", **changes):
-    parameters = PAPER.studies[study][point].parameters | changes
+    parameters = PAPER.studies[study][point].parameters
+    parameters = type(parameters).checked({**parameters.plain(), **changes}, "test")
     return simulated(study, point, parameters, SEED, np.arange(trials))
 
 
@@ -97,7 +100,9 @@ def test_sum_of_noises_is_the_convolution(family):
             inner = np.linspace(0, e, 20_001)
             product = stats.expon(scale=2.0).pdf(e - inner) * np.exp(noise.log_channel(inner))
             convolved.append(np.trapezoid(product, inner))
-    np.testing.assert_allclose(np.exp(noise.log_sum(errors, 0)), convolved, rtol=1e-6)
+    # Without impairments the likelihood of a level of zero is the density of the sum.
+    ours = np.exp(noise.log_likelihood(errors, np.zeros((len(errors), 1)), 0, None, 1.0))
+    np.testing.assert_allclose(ours[:, 0], convolved, rtol=1e-6)
 
 
 def test_lemma_1_is_exact_for_identical_rows_only():
@@ -109,7 +114,7 @@ def test_lemma_1_is_exact_for_identical_rows_only():
     markov = EnergyQueue(PI_1, uniform, 1, 3)
     exact = energy_harvesting.joint_chain(markov, 40).sum(axis=2)
     assert np.abs(energy_harvesting.lemma_1(markov, 40) - exact)[2:].max(axis=1).min() > 0.01
-    # Pi = I: dead exactly if H = 0, which Lemma 1 puts at 1/32
+    # Pi = I: without energy exactly if H = 0, the probability of which Lemma 1 puts at 1/32
     frozen = EnergyQueue(np.eye(4), uniform, 1, 3)
     probability = energy_harvesting.transmission_probability
     np.testing.assert_allclose(probability(frozen, 60, "exact")[1:], 0.75, atol=1e-14)
@@ -171,7 +176,7 @@ def test_saturated_and_lost_measurements_are_what_the_log_says():
     assert abs(n.var() / log.parameters.channel_variance - 1) < 0.05
     clipped = (gamma == 1) & (ideal - y - n < -1e-9)
     assert clipped.any() and abs(gamma.mean() - 0.2) < 0.02
-    # a saturated output is -30 and the sensor's noise, whatever the distance
+    # a saturated output is minus the level and the sensor's noise, whatever the distance
     assert abs(y[clipped].mean() + level) < 0.05 and y[clipped].std() < 0.4
     np.testing.assert_allclose(ideal[gamma == 0], (y + n)[gamma == 0], atol=1e-9)
 
@@ -191,10 +196,10 @@ def test_linear_weights_underflow_and_skip_updates():
 
 
 def test_transmission_probability_cancels_where_losses_are_seen():
-    """RSS: a lost packet lies near 0 dBm, far from any level, so that any lambda will do (D4)."""
+    """A lost packet lies near 0 dBm, far from any level, so that any lambda gives the same."""
     log = log_of("rss_2d", 10, steps=40)
     model = plugins.study("rss_2d").model(log.parameters)
-    settings = BOOTSTRAP | {"particles": 200}
+    settings = Bootstrap(particles=200, **BOOTSTRAP)
     estimates = []
     for rule in ("lemma1", "exact"):
         filter_ = ross_eh.build(model, settings, saturates=True, transmission=rule)
@@ -204,7 +209,7 @@ def test_transmission_probability_cancels_where_losses_are_seen():
 
 def run_filter(filter_, log):
     """Estimates (trials, steps + 1, n) of a filter that needs no module."""
-    channels = plugins.study(log.study).channels(log, slice(None), log.parameters)
+    channels = plugins.study(log.study).channels(log, slice(None))
     state = filter_.init(Streams(log.seed, log.study, "filter:bootstrap", log.trials.tolist()))
     estimates = [filter_.mean(state)]
     for k in range(1, log.values["/truth"].shape[1]):
@@ -219,7 +224,7 @@ class Seen:
 
 
 def test_linear_gaussian_is_the_kalman_filter():
-    """x(k+1) = 0.9 x(k) + w, z = x + nu + n, nothing impaired: the mean is the Kalman filter's."""
+    """x(k+1) = 0.9 x(k) + w, z = x + nu + n, unimpaired: the mean is the Kalman filter's."""
     trials, steps, a, q, r = 20, 15, 0.9, 0.5, 0.3
     rng = np.random.default_rng(5)
     x, z = np.zeros(trials), np.zeros((trials, steps + 1))
@@ -242,7 +247,7 @@ def test_linear_gaussian_is_the_kalman_filter():
         level=lambda x, i: x[:, 0].copy(),
         noise=GaussianNoise(np.array([r - 0.1]), 0.1),
     )
-    settings = BOOTSTRAP | {"particles": 20_000}
+    settings = Bootstrap(particles=20_000, **BOOTSTRAP)
     filter_ = ross_eh.build(model, settings, saturates=False, transmission=None)
     streams = Streams(SEED, "linear", "filter", range(trials))
     state = filter_.init(streams)

@@ -1,4 +1,4 @@
-"""The scalar example's filters against Bayes' rule on a grid (Song et al., Sec. IV-A)."""
+"""The scalar example's filters against Bayes' rule on a grid [energy_harvesting Sec. IV-A]."""
 
 import numpy as np
 from scipy import stats
@@ -43,7 +43,7 @@ def grid_means(log):
 
 
 def test_ungm_grid_filter():
-    """The distance from the exact mean falls as M^-1/2, and nothing but noise is left of it."""
+    """The distance from the exact mean falls as M^-1/2, and only Monte Carlo noise remains."""
     log = log_of("ungm", 40, steps=12)
     exact = grid_means(log)
     distance = {}

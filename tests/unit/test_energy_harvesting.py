@@ -3,10 +3,13 @@
 import numpy as np
 import pytest
 
+from repro import plugins
 from repro.network import energy_harvesting, saturation
 from repro.network.energy_harvesting import EnergyQueue
+from repro.papers.energy_harvesting.claims import CLAIMS
 from repro.parameters.load import ParameterError, load_paper
-from tests.conftest import ROOT
+from repro.verdicts.published import read_published
+from tests.conftest import ROOT, points
 
 PI_1 = np.array(
     [[0.5, 0.2, 0.2, 0.1], [0.4, 0.4, 0.1, 0.1], [0.3, 0.3, 0.2, 0.2], [0.3, 0.1, 0.2, 0.4]]
@@ -15,6 +18,7 @@ PI_2 = np.array(
     [[0.8, 0.1, 0.05, 0.05], [0.7, 0.1, 0.1, 0.1], [0.6, 0.2, 0.1, 0.1], [0.5, 0.2, 0.2, 0.1]]
 )
 UNIFORM = np.full(4, 0.25)
+STUDIES = ("ungm", "rss_2d", "rss_3d")
 
 
 def queue(transition, initial=UNIFORM, energy=1, capacity=3):
@@ -73,3 +77,33 @@ def test_rows_of_the_harvest_must_sum_to_one(tmp_path):
     file.write_text(text.replace("[0.3, 0.1, 0.2, 0.4]", "[0.3, 0.1, 0.2, 0.5]", 1))
     with pytest.raises(ParameterError, match=r"harvest_transition: .*row 3 sums to 1\.1"):
         load_paper(file)
+
+
+@pytest.mark.parametrize("study", STUDIES)
+def test_every_value_is_described(study):
+    scenario = plugins.study(study)
+    for model in (scenario.Parameters, scenario.Analysis):
+        assert not [name for name, field in model.model_fields.items() if not field.description]
+
+
+@pytest.mark.parametrize(
+    ("study", "changes", "message"),
+    [
+        ("ungm", {"initial_energy": 4}, "initial_energy is 4; energy_capacity allows at most 3"),
+        ("rss_2d", {"sensors": 7}, "sensors is 7; sensor_positions allows at most 6"),
+        ("rss_3d", {"measurement_variances": [0.1]}, "measurement_variances allows at most 1"),
+        ("rss_2d", {"sensor_positions": [[0.0, 0.0, 0.0]]}, r"sensor_positions\.0: has 3 entries"),
+        ("rss_3d", {"true_initial_state": [0.0] * 4}, "true_initial_state: has 4 entries"),
+        ("rss_2d", {"saturation_level": 0.0}, "saturation_level: 0.0 is too small"),
+        ("ungm", {"initial_harvest": "none"}, "initial_harvest: 'none' is not one of"),
+    ],
+)
+def test_parameters_that_do_not_fit_are_refused(study, changes, message):
+    parameters = points()[study]["base"].parameters
+    with pytest.raises(ParameterError, match=message):
+        type(parameters).checked({**parameters.plain(), **changes}, "test")
+
+
+def test_claims_have_the_names_of_the_published_file():
+    published = read_published(ROOT / "params" / "published" / "energy_harvesting.csv")
+    assert [claim.item for claim in CLAIMS] == list(published["item"])

@@ -1,4 +1,4 @@
-"""PF-EH: allows for empty batteries only, gbar = 0 (Song et al., Remark 5)."""
+"""PF-EH: accounts for empty batteries only, gbar = 0 [energy_harvesting Remark 5]."""
 
 from repro.filters import Filter
 from repro.filters.families import ross_eh

@@ -1,4 +1,4 @@
-"""PF-ROSS: allows for saturations only, every measurement taken as sent (Song et al., Remark 5)."""
+"""PF-ROSS: accounts for saturation, takes all measurements as sent [energy_harvesting Remark 5]."""
 
 from repro.filters import Filter
 from repro.filters.families import ross_eh

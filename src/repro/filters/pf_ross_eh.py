@@ -1,4 +1,4 @@
-"""PF-ROSS-EH: allows for saturations and for empty batteries, by Lemma 1 (Song et al.)."""
+"""PF-ROSS-EH: accounts for saturation and for empty batteries [energy_harvesting Algorithm 1]."""
 
 from repro.filters import Filter
 from repro.filters.families import ross_eh

@@ -1,4 +1,4 @@
-"""PF-ROSS-EH with the exact transmission probability: the chain of (E, H), not Lemma 1."""
+"""PF-ROSS-EH with the exact transmission probability, from the chain of (E, H), not Lemma 1."""
 
 from repro.filters import Filter
 from repro.filters.families import ross_eh

@@ -1,7 +1,8 @@
-"""PF-ROSS-EH, Rao-Blackwellised over battery and harvest: the exact model, which (13) is not.
+"""PF-ROSS-EH, Rao-Blackwellised over battery and harvest: it follows the model exactly.
 
-Whether a sensor transmits is correlated in time, so that z(k) is not independent of earlier
-measurements given x(k). Each particle carries Pr{E(k), H(k) | x(0..k), Z(1..k)} of each sensor.
+The likelihood [energy_harvesting (13)] takes z(k) as independent of earlier measurements given
+x(k). It is not, as transmissions are correlated in time. Here each particle carries
+Pr{E(k), H(k) | x(0..k), Z(1..k)} of each sensor.
 """
 
 from typing import NamedTuple
@@ -11,8 +12,10 @@ import numpy as np
 from repro.filters import Filter
 from repro.filters.families import particle_filter, ross_eh
 from repro.models.sensor_network import SensorNetwork
+from repro.network.channels import Seen
 from repro.network.energy_harvesting import initial_joint, joint_chain, joint_transition
 from repro.parameters.settings import JointBootstrap
+from repro.streams import Streams
 
 LABEL = "PF-ROSS-EH, joint"
 SEES = ("received",)
@@ -25,19 +28,21 @@ class State(NamedTuple):
 
 
 def build(model: SensorNetwork, settings: JointBootstrap) -> Filter:
-    """Settings: `particles`, `resampling`."""
+    """The bootstrap filter, with a law of (E, H) for each sensor and particle."""
+    assert model.energy is not None  # the study has batteries
     chain, start = joint_transition(model.energy), initial_joint(model.energy)
-    visited = joint_chain(model.energy, model.steps).any(axis=0).ravel()  # others never happen
+    # Pairs that never occur are left out.
+    visited = joint_chain(model.energy, model.steps).any(axis=0).ravel()
     chain, start = chain[np.ix_(visited, visited)], start[visited]
     empty = np.nonzero(visited)[0] < len(model.energy.harvest_transition)  # E = 0
 
-    def init(streams):
+    def init(streams: Streams) -> State:
         particles = model.draw_prior(streams, settings.particles)
         shape = (len(streams), model.sensors, len(start), settings.particles)
         belief = np.broadcast_to(start[:, None], shape)
         return State(particle_filter.equally_weighted(particles, streams), belief)
 
-    def step(state, k, seen):
+    def step(state: State, k: int, seen: Seen) -> State:
         cloud, z = state.cloud, seen.received
         chosen = particle_filter.parents(cloud.weights, cloud.streams, settings.resampling)
         particles = model.move(particle_filter.taken(cloud.particles, chosen), k, cloud.streams)

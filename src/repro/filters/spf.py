@@ -1,4 +1,4 @@
-"""SPF: the standard particle filter, which knows of neither impairment (Song et al.)."""
+"""SPF: the standard particle filter, which ignores both impairments [energy_harvesting Sec. IV]."""
 
 from repro.filters import Filter
 from repro.filters.families import ross_eh

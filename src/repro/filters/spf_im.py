@@ -1,4 +1,4 @@
-"""SPF-IM: the standard particle filter on measurements free of both impairments (Song et al.)."""
+"""SPF-IM: the standard particle filter on unimpaired measurements [energy_harvesting Sec. IV]."""
 
 from repro.filters import Filter
 from repro.filters.families import ross_eh

@@ -1,6 +1,6 @@
-"""White-noise acceleration and received-signal-strength sensors (Song et al., (30)-(32)).
+"""White-noise acceleration and received-signal-strength sensors [energy_harvesting (30)-(32)].
 
-State [s_x v_x s_y v_y (s_z v_z)], in m and m/s; positions are components 0, 2 (, 4).
+The state is [s_x v_x s_y v_y (s_z v_z)], in m and m/s; the positions are components 0, 2 (, 4).
 """
 
 import numpy as np
@@ -9,13 +9,16 @@ SQUARED_DISTANCE_FLOOR = 1e-12  # m^2: a target on its sensor has a finite level
 
 
 def process_root(time: float, acceleration_variance: float) -> np.ndarray:
-    """Lower Cholesky factor of Q of one axis (31), (2, 2)."""
+    """Lower Cholesky factor of Q for one axis, (2, 2) (31)."""
     q = [[time**3 / 3, time**2 / 2], [time**2 / 2, time]]
     return np.linalg.cholesky(acceleration_variance * np.array(q))
 
 
 def move(x: np.ndarray, noise: np.ndarray, time: float, root: np.ndarray) -> np.ndarray:
-    """x(k+1) of (30), written over x; states and standard normals are (trials, n, ...)."""
+    """x(k+1), written over x; states and standard normals are (trials, n, ...) (30).
+
+    The normals are overwritten, too.
+    """
     position, velocity = x[:, 0::2], x[:, 1::2]
     first, second = noise[:, 0::2], noise[:, 1::2]
     position += time * velocity
@@ -30,7 +33,7 @@ def move(x: np.ndarray, noise: np.ndarray, time: float, root: np.ndarray) -> np.
 def level(
     x: np.ndarray, sensor: np.ndarray, power: float, exponent: float, reference: float
 ) -> np.ndarray:
-    """h^i(x) of (32) in dBm from states (trials, n, ...) and a position (axes,), (trials, ...)."""
+    """h^i(x) in dBm, (trials, ...), from states (trials, n, ...) and a position (axes,) (32)."""
     squared = x[:, 0] - sensor[0]
     squared *= squared
     for axis in range(1, len(sensor)):

@@ -1,19 +1,51 @@
-"""A plant seen by N noisy sensors over noisy channels (Song et al., (1), (2), (7)).
+"""A plant seen by N noisy sensors over noisy channels [energy_harvesting (1), (2), (7)].
 
 Particles are (trials, n, particles), so that each component is contiguous.
 """
 
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from repro.network.energy_harvesting import EnergyQueue
 from repro.network.saturation import Saturation
 from repro.streams import Streams
 
-# exp(-700) adds nothing to one; below it exp is ten times slower, for its result underflows.
+# exp(-700) adds nothing to one; below it exp is ten times slower, as its result underflows.
 EXPONENT_FLOOR = -700.0
+
+
+# (streams, particles) -> (trials, n, particles) from p(x(0))
+DrawPrior = Callable[[Streams, int], np.ndarray]
+# (x(k-1), k, streams) -> x(k) from p(x(k)|x(k-1)); may overwrite its argument
+Move = Callable[[np.ndarray, int, Streams], np.ndarray]
+# (x, i) -> h^i(x), (trials, particles); i counts the sensors from 0
+Level = Callable[[np.ndarray, int], np.ndarray]
+
+
+class Noise(Protocol):
+    """The noises nu of the sensors and n of the channels, and what a filter needs of them."""
+
+    def draw(self, streams: Streams, steps: int) -> tuple[np.ndarray, np.ndarray]:
+        """nu and n, (trials, N, steps) each."""
+        ...
+
+    def log_channel(self, z: np.ndarray) -> np.ndarray:
+        """log density of n."""
+        ...
+
+    def log_likelihood(
+        self,
+        z: np.ndarray,
+        level: np.ndarray,
+        i: int,
+        saturation: Saturation | None,
+        transmission: float,
+    ) -> np.ndarray:
+        """log p(z^i | x), (trials, particles), from z (trials,) and levels h^i(x) (15)."""
+        ...
 
 
 class SensorNetwork(NamedTuple):
@@ -22,12 +54,12 @@ class SensorNetwork(NamedTuple):
     initial_mean: np.ndarray  # (n,)
     sensors: int
     steps: int
-    draw_prior: Callable  # (streams, particles) -> (trials, n, particles) from p(x(0))
-    move: Callable  # (x(k-1), k, streams) -> x(k) ~ p(x(k)|x(k-1)); may overwrite its argument
-    level: Callable  # (x, i) -> h^i(x) of sensor i, (trials, particles)
-    noise: Any  # GaussianNoise or ExponentialNoise
-    saturation: Saturation | None = None
-    energy: Any = None  # network.energy_harvesting.EnergyQueue
+    draw_prior: DrawPrior
+    move: Move
+    level: Level
+    noise: Noise
+    saturation: Saturation | None = None  # None: nothing saturates
+    energy: EnergyQueue | None = None  # None: the sensors always transmit
 
 
 class GaussianNoise(NamedTuple):
@@ -37,15 +69,10 @@ class GaussianNoise(NamedTuple):
     channel_variance: float
 
     def draw(self, streams: Streams, steps: int) -> tuple[np.ndarray, np.ndarray]:
-        """nu and n, (trials, N, steps) each; drawn sensor by sensor: N shares with N + 1."""
+        """nu and n, (trials, N, steps) each, drawn sensor by sensor, so that any N share draws."""
         drawn = streams.standard_normal(len(self.measurement_variances), 2, steps)
         nu = np.sqrt(self.measurement_variances)[:, None] * drawn[:, :, 0]
         return nu, np.sqrt(self.channel_variance) * drawn[:, :, 1]
-
-    def log_sum(self, error: np.ndarray, i: int) -> np.ndarray:
-        """log density of nu^i + n^i, the convolution (28)."""
-        variance = self.measurement_variances[i] + self.channel_variance
-        return _squares(error.copy(), variance) + _log_peak(variance)
 
     def log_channel(self, z: np.ndarray) -> np.ndarray:
         """log density of n."""
@@ -59,13 +86,13 @@ class GaussianNoise(NamedTuple):
         saturation: Saturation | None,
         transmission: float,
     ) -> np.ndarray:
-        """log p(z^i | x) of (15), (trials, particles), from z (trials,) and levels h^i(x).
+        """log p(z^i | x), (trials, particles), from z (trials,) and levels h^i(x) (15).
 
         Without saturation gbar = 0. In logarithms, as p_n(z) underflows. Beyond the saturation
-        level Sat(h) is one number, and so is its term, for all particles of a trial; elsewhere
-        Sat(h) = h and the two terms of (20) are one.
+        level Sat(h), and with it its term, is the same for all particles of a trial; elsewhere
+        Sat(h) = h and the two terms of (20) are equal.
         """
-        variance = self.measurement_variances[i] + self.channel_variance
+        variance = self.measurement_variances[i] + self.channel_variance  # of nu + n (28)
         shared = _log(transmission) + _log_peak(variance)
         lost = _log(1.0 - transmission) - shared + self.log_channel(z)
         sent, other = _squares(z[:, None] - level, variance), lost[:, None]
@@ -94,13 +121,8 @@ class ExponentialNoise(NamedTuple):
         drawn = -self.mean * np.log1p(-streams.uniform(self.sensors, 2, steps))
         return drawn[:, :, 0], drawn[:, :, 1]
 
-    def log_sum(self, error: np.ndarray, i: int) -> np.ndarray:
-        """log density of nu^i + n^i, the convolution (28); -inf where error <= 0."""
-        with np.errstate(divide="ignore"):  # log 0 = -inf is meant
-            return np.log(self._sum(error.copy(), 1.0))
-
     def _sum(self, error: np.ndarray, factor: float) -> np.ndarray:
-        """The factor times the density of nu^i + n^i; overwrites error."""
+        """The factor times the density of nu^i + n^i, the convolution (28); overwrites error."""
         np.maximum(error, 0.0, out=error)
         decay = error * (-1 / self.mean)
         np.exp(decay, out=decay)
@@ -120,11 +142,11 @@ class ExponentialNoise(NamedTuple):
         saturation: Saturation | None,
         transmission: float,
     ) -> np.ndarray:
-        """log p(z^i | x) of (15), (trials, particles), from z (trials,) and levels h^i(x).
+        """log p(z^i | x), (trials, particles), from z (trials,) and levels h^i(x) (15).
 
-        Without saturation gbar = 0; beyond its level Sat(h) is one number for all particles. The
-        densities are no smaller than exp(-z / mean) where they are positive, so that their sum
-        needs no logarithms; its own is -inf where x cannot have led to z.
+        Without saturation gbar = 0; beyond its level Sat(h) is the same for all particles. The
+        densities are at least exp(-z / mean) where they are positive, so that they can be summed
+        without logarithms. The result is -inf where x cannot have led to z.
         """
         z = z[:, None]
         sent = self._sum(z - level, transmission)
@@ -138,7 +160,7 @@ class ExponentialNoise(NamedTuple):
                     sent = np.where(beyond, mixed, sent)
         if transmission < 1.0:
             sent += (1.0 - transmission) * np.exp(self.log_channel(z))
-        with np.errstate(divide="ignore"):  # log 0 = -inf is meant
+        with np.errstate(divide="ignore"):  # log 0 = -inf is intended
             return np.log(sent, out=sent)
 
 
@@ -158,8 +180,10 @@ def _log(probability: float) -> float:
 
 
 def _log_add(first: np.ndarray, second: np.ndarray) -> np.ndarray:
-    """log(exp(first) + exp(second)), as numpy.logaddexp but ten times faster; first is finite
-    where second is not."""
+    """log(exp(first) + exp(second)), ten times faster than numpy.logaddexp.
+
+    Where the second is not finite, the first must be.
+    """
     largest = np.maximum(first, second)
     rest = np.minimum(first, second)
     rest -= largest

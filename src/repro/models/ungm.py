@@ -1,4 +1,4 @@
-"""Univariate nonstationary growth model with Gamma noise (Song et al., (29))."""
+"""Univariate nonstationary growth model with Gamma noise [energy_harvesting (29)]."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from repro.streams import Streams
 
 
 def transition(x: np.ndarray, k: int) -> np.ndarray:
-    """f_k(x) of (29), any shape; k is the step that x belongs to."""
+    """f_k(x), any shape; k is the step that x belongs to."""
     following = x * x
     following += 1.0
     np.divide(25.0, following, out=following)
@@ -28,7 +28,7 @@ def gamma_noise(streams: Streams, scale: float, *shape: int) -> np.ndarray:
 
 
 def level(x: np.ndarray, offset: float) -> np.ndarray:
-    """h^i(x) of (29), any shape."""
+    """h^i(x), any shape; the offset is s_i."""
     squared = x - offset
     squared *= squared
     squared *= 1 / 20

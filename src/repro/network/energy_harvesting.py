@@ -1,12 +1,15 @@
-"""Energy-harvesting sensors: battery, Markov harvest, transmission probability (Song et al.).
+"""Energy-harvesting sensors: battery, Markov harvest, transmission probability.
 
-A sensor transmits while its battery is not empty, one unit a transmission, and harvests H(k)
-units a step, H a Markov chain. Sensors are alike and independent.
+A sensor transmits while its battery is not empty, which costs one unit of energy, and harvests
+H(k) units at each step, where H is a Markov chain. All sensors have the same parameters and are
+independent [energy_harvesting (5), (6)].
 """
 
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
+
+TransmissionRule = Literal["lemma1", "exact"]
 
 
 class EnergyQueue(NamedTuple):
@@ -19,7 +22,7 @@ class EnergyQueue(NamedTuple):
 
 
 def initial_harvest(law: str, transition: np.ndarray) -> np.ndarray:
-    """Law of H(0): `uniform`, `zero`, `full`, or `stationary` under the transition matrix."""
+    """Law of H(0), (Hbar + 1,): `uniform`, `zero`, `full`, or `stationary` under `transition`."""
     units = len(transition)
     if law == "uniform":
         return np.full(units, 1 / units)
@@ -31,7 +34,7 @@ def initial_harvest(law: str, transition: np.ndarray) -> np.ndarray:
 
 
 def harvest(uniforms: np.ndarray, queue: EnergyQueue) -> np.ndarray:
-    """H(0), H(1), ... by inversion, one uniform each; the last axis is the step. Integer."""
+    """H(0), H(1), ... by inversion, one uniform each; the last axis is the step. Integers."""
     units = np.empty(uniforms.shape, dtype=int)
     first = np.cumsum(queue.initial_harvest)[:-1]
     units[..., 0] = (uniforms[..., :1] >= first).sum(axis=-1)
@@ -42,12 +45,12 @@ def harvest(uniforms: np.ndarray, queue: EnergyQueue) -> np.ndarray:
 
 
 def next_energy(energy: np.ndarray, harvested: np.ndarray, capacity: int) -> np.ndarray:
-    """E(k+1) of (6) from E(k) and H(k+1): spend a unit if there is one, then harvest."""
+    """E(k+1) from E(k) and H(k+1): spend a unit if there is one, then harvest (6)."""
     return np.minimum(energy - (energy > 0) + harvested, capacity)
 
 
 def energy(harvested: np.ndarray, queue: EnergyQueue) -> np.ndarray:
-    """E(0), E(1), ... from H(0), H(1), ...; the last axis is the step. Integer."""
+    """E(0), E(1), ... from H(0), H(1), ...; the last axis is the step. Integers."""
     levels = np.empty(harvested.shape, dtype=int)
     levels[..., 0] = queue.initial_energy
     for k in range(1, harvested.shape[-1]):
@@ -56,10 +59,10 @@ def energy(harvested: np.ndarray, queue: EnergyQueue) -> np.ndarray:
 
 
 def lemma_1(queue: EnergyQueue, steps: int) -> np.ndarray:
-    """tau of Lemma 1, the law of E(k) for k = 0 ... steps, (steps + 1, Ebar + 1).
+    """Law tau of E(k) for k = 0 ... steps, (steps + 1, Ebar + 1) [energy_harvesting Lemma 1].
 
-    As printed: E(k-1) and H(k) are multiplied as if independent. H being Markov, that is exact
-    only where the rows of Pi are identical; `joint_chain` is exact.
+    As printed: the laws of E(k-1) and H(k) are multiplied as if they were independent. Since H is
+    a Markov chain, this is exact only if the rows of Pi are identical; `joint_chain` is exact.
     """
     top = queue.capacity
     chi = np.eye(top + 1)[top]
@@ -79,7 +82,7 @@ def lemma_1(queue: EnergyQueue, steps: int) -> np.ndarray:
 
 
 def joint_transition(queue: EnergyQueue) -> np.ndarray:
-    """Transition of the pair (E, H), ((Ebar+1)(Hbar+1))^2; the state is E (Hbar + 1) + H."""
+    """Transition matrix of the pair (E, H), which is state number E (Hbar + 1) + H."""
     units = len(queue.harvest_transition)
     e, h, drawn = np.meshgrid(
         np.arange(queue.capacity + 1), np.arange(units), np.arange(units), indexing="ij"
@@ -107,8 +110,8 @@ def joint_chain(queue: EnergyQueue, steps: int) -> np.ndarray:
     return np.stack(laws).reshape(steps + 1, queue.capacity + 1, -1)
 
 
-def transmission_probability(queue: EnergyQueue, steps: int, rule: str) -> np.ndarray:
-    """lambda(k) of (26) for k = 0 ... steps, by the rule `lemma1` or `exact`."""
+def transmission_probability(queue: EnergyQueue, steps: int, rule: TransmissionRule) -> np.ndarray:
+    """lambda(k) for k = 0 ... steps, (steps + 1,), by the rule `lemma1` or `exact` (26)."""
     if rule == "lemma1":
         return 1.0 - lemma_1(queue, steps)[:, 0]
     return 1.0 - joint_chain(queue, steps)[:, 0].sum(axis=1)

@@ -1,33 +1,46 @@
-"""Tracking by received signal strength in the plane (Song et al., Sec. IV-B; Figures 3-10)."""
-
-from typing import Annotated
+"""Tracking by received signal strength in the plane [energy_harvesting Sec. IV-B, Figs. 3-10]."""
 
 import numpy as np
 from pydantic import Field
 
 from repro.models.sensor_network import SensorNetwork
 from repro.parameters.values import Pair, Positive
+from repro.streams import Streams
 from repro.studies import Fields
 from repro.studies.families import harvesting_sensors, signal_strength
-from repro.studies.families.signal_strength import SignalStrengthParameters, SignalStrengthStudy
+from repro.studies.families.harvesting_sensors import ExactnessAnalysis
+from repro.studies.families.signal_strength import (
+    SignalStrengthAnalysis,
+    SignalStrengthParameters,
+    SignalStrengthStudy,
+)
 
 STATE = signal_strength.state(2)
+State = tuple[float, float, float, float]
 
 
-class Parameters(SignalStrengthParameters):
-    """Values of one point."""
+class Parameters(SignalStrengthParameters[Pair, State]):
+    """Values of one point. The prior is centred on the true initial state."""
 
-    sensor_positions: Annotated[tuple[Pair, ...], Field(min_length=1)]
-    true_initial_state: tuple[float, float, float, float]
-    prior_position_variance: Positive
-    prior_speed_variance: Positive
-    prior_azimuth_variance: Positive
+    prior_position_variance: Positive = Field(
+        description="variance of the prior's position on each axis, m^2"
+    )
+    prior_speed_variance: Positive = Field(description="variance of the prior's speed, m^2/s^2")
+    prior_azimuth_variance: Positive = Field(description="variance of the prior's course, rad^2")
+
+
+class Analysis(SignalStrengthAnalysis, ExactnessAnalysis):
+    """What counts as lost and as equal, and what the figures show."""
+
+    shown_sensor: int = Field(ge=1, description="sensor that Figs. 4 and 5 show, from 1")
+    printed_trials: int = Field(ge=1, description="number of trials in the paper")
 
 
 class Rss2d(SignalStrengthStudy):
     """Tracking by received signal strength in the plane."""
 
     Parameters = Parameters
+    Analysis = Analysis
     systems_per_block = 40
     trajectory = (("s_x", "s_y"),)
     components = signal_strength.components(2)
@@ -39,7 +52,7 @@ class Rss2d(SignalStrengthStudy):
         x, v_x, y, v_y = parameters.true_initial_state
         speed, azimuth = np.hypot(v_x, v_y), np.arctan2(v_y, v_x)
 
-        def draw_prior(streams, particles):
+        def draw_prior(streams: Streams, particles: int) -> np.ndarray:
             drawn = streams.standard_normal(4, particles)
             speeds = speed + np.sqrt(parameters.prior_speed_variance) * drawn[:, 1]
             azimuths = azimuth + np.sqrt(parameters.prior_azimuth_variance) * drawn[:, 3]

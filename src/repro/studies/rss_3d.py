@@ -1,25 +1,26 @@
-"""Tracking by received signal strength in space (Song et al., Sec. IV-B; Figures 11-13)."""
-
-from typing import Annotated
+"""Tracking by received signal strength in space [energy_harvesting Sec. IV-B, Figs. 11-13]."""
 
 import numpy as np
 from pydantic import Field
 
 from repro.models.sensor_network import SensorNetwork
 from repro.parameters.values import Positive, Triple
+from repro.streams import Streams
 from repro.studies import Fields
 from repro.studies.families import harvesting_sensors, signal_strength
 from repro.studies.families.signal_strength import SignalStrengthParameters, SignalStrengthStudy
 
 STATE = signal_strength.state(3)
+State = tuple[float, float, float, float, float, float]
+Variances = tuple[Positive, Positive, Positive, Positive, Positive, Positive]
 
 
-class Parameters(SignalStrengthParameters):
-    """Values of one point."""
+class Parameters(SignalStrengthParameters[Triple, State]):
+    """Values of one point. The prior is centred on the true initial state."""
 
-    sensor_positions: Annotated[tuple[Triple, ...], Field(min_length=1)]
-    true_initial_state: tuple[float, float, float, float, float, float]
-    prior_variances: tuple[Positive, Positive, Positive, Positive, Positive, Positive]
+    prior_variances: Variances = Field(
+        description="variances of the prior of each component of the state, m^2 and m^2/s^2"
+    )
 
 
 class Rss3d(SignalStrengthStudy):
@@ -37,7 +38,7 @@ class Rss3d(SignalStrengthStudy):
         mean = np.array(parameters.true_initial_state)[:, None]
         deviation = np.sqrt(parameters.prior_variances)[:, None]
 
-        def draw_prior(streams, particles):
+        def draw_prior(streams: Streams, particles: int) -> np.ndarray:
             drawn = streams.standard_normal(len(mean), particles)
             drawn *= deviation
             drawn += mean

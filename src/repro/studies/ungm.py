@@ -1,4 +1,4 @@
-"""The scalar example with Gamma and exponential noises (Song et al., Sec. IV-A; Figure 2)."""
+"""The scalar example with Gamma and exponential noises [energy_harvesting Sec. IV-A]."""
 
 from types import MappingProxyType
 from typing import Annotated
@@ -9,23 +9,35 @@ from pydantic import Field
 from repro.models import ungm
 from repro.models.sensor_network import ExponentialNoise, SensorNetwork
 from repro.parameters.values import Positive
+from repro.streams import Streams
 from repro.studies import Fields, StreamsOf
 from repro.studies.families import harvesting_sensors
-from repro.studies.families.harvesting_sensors import HarvestingParameters, HarvestingStudy
+from repro.studies.families.harvesting_sensors import (
+    ExactnessAnalysis,
+    HarvestingParameters,
+    HarvestingStudy,
+)
 
 
 class Parameters(HarvestingParameters):
-    """Values of one point."""
+    """Values of one point. State and measurements have no unit."""
 
-    sensor_offsets: Annotated[tuple[float, ...], Field(min_length=1)]
-    process_noise_scale: Positive
-    noise_mean: Positive
-    true_initial_state: float
-    prior_mean: float
-    prior_variance: Positive
+    sensor_offsets: Annotated[tuple[float, ...], Field(min_length=1)] = Field(
+        description="s_i of each sensor, no unit"
+    )
+    process_noise_scale: Positive = Field(
+        description="scale of the process noise, which is Gamma of shape 2, no unit"
+    )
+    noise_mean: Positive = Field(
+        description="mean of the exponential noises nu and n of sensors and channels, no unit"
+    )
+    true_initial_state: float = Field(description="x(0), no unit")
+    prior_mean: float = Field(description="mean of the Gaussian prior of x(0), no unit")
+    prior_variance: Positive = Field(description="variance of that prior, no unit")
 
 
 def noise(parameters: Parameters) -> ExponentialNoise:
+    """Noises of the sensors and of their channels."""
     return ExponentialNoise(parameters.noise_mean, len(parameters.sensor_offsets))
 
 
@@ -33,6 +45,7 @@ class Ungm(HarvestingStudy):
     """The univariate nonstationary growth model."""
 
     Parameters = Parameters
+    Analysis = ExactnessAnalysis
     systems_per_block = 200
     components = MappingProxyType({"state": (0,)})
 
@@ -55,10 +68,10 @@ class Ungm(HarvestingStudy):
         offsets, mean = parameters.sensor_offsets, parameters.prior_mean
         deviation = np.sqrt(parameters.prior_variance)
 
-        def draw_prior(streams, particles):
+        def draw_prior(streams: Streams, particles: int) -> np.ndarray:
             return mean + deviation * streams.standard_normal(1, particles)
 
-        def move(x, k, streams):
+        def move(x: np.ndarray, k: int, streams: Streams) -> np.ndarray:
             following = ungm.transition(x, k - 1)
             following += ungm.gamma_noise(streams, parameters.process_noise_scale, *x.shape[1:])
             return following

@@ -1,33 +1,50 @@
-"""What the tracking studies of Song et al., Sec. IV-B, share in two and three dimensions."""
+"""What the tracking studies of [energy_harvesting Sec. IV-B] share in two and three dimensions."""
 
-from typing import Annotated, Any, Self
+from typing import Annotated, Generic, Self, TypeVar
 
 import numpy as np
 from pydantic import Field, model_validator
 
 from repro.kernels.normals import standard_normal
+from repro.logs import Log
 from repro.models import rss
-from repro.models.sensor_network import GaussianNoise, SensorNetwork
-from repro.parameters.values import Positive, Values, at_most
+from repro.models.sensor_network import DrawPrior, GaussianNoise, SensorNetwork
+from repro.parameters.values import Positive, at_most
 from repro.statistics.runs import Runs
+from repro.streams import Streams
 from repro.studies import StreamsOf
 from repro.studies.families import harvesting_sensors
-from repro.studies.families.harvesting_sensors import HarvestingParameters, HarvestingStudy
+from repro.studies.families.harvesting_sensors import (
+    HarvestingAnalysis,
+    HarvestingParameters,
+    HarvestingStudy,
+)
+
+Position = TypeVar("Position", bound=tuple[float, ...])
+State = TypeVar("State", bound=tuple[float, ...])
 
 
-class SignalStrengthParameters(HarvestingParameters):
-    """What the studies in two and three dimensions have in common."""
+class SignalStrengthParameters(HarvestingParameters, Generic[Position, State]):
+    """Motion and sensors, for positions and states of either dimension."""
 
-    sampling_time: Positive
-    acceleration_variance: Positive
-    reference_power: float
-    reference_distance: Positive
-    path_loss_exponent: Positive
-    sensors: Annotated[int, Field(ge=1)]
-    sensor_positions: Any
-    measurement_variances: Annotated[tuple[Positive, ...], Field(min_length=1)]
-    channel_variance: Positive
-    true_initial_state: Any
+    sampling_time: Positive = Field(description="T, s")
+    acceleration_variance: Positive = Field(
+        description="Delta, intensity of the process noise, m^2/s^4 as printed"
+    )
+    reference_power: float = Field(description="level P_0 at the reference distance, dBm")
+    reference_distance: Positive = Field(description="d_0, m")
+    path_loss_exponent: Positive = Field(description="n_r, no unit")
+    sensors: int = Field(ge=1, description="number N of sensors in use: the first of those given")
+    sensor_positions: Annotated[tuple[Position, ...], Field(min_length=1)] = Field(
+        description="position of each sensor, m"
+    )
+    measurement_variances: Annotated[tuple[Positive, ...], Field(min_length=1)] = Field(
+        description="variance of the noise nu of each sensor, dBm^2"
+    )
+    channel_variance: Positive = Field(description="variance of the noise n of a channel, dBm^2")
+    true_initial_state: State = Field(
+        description="position and velocity at k = 0, axis by axis, m and m/s"
+    )
 
     @model_validator(mode="after")
     def _every_sensor_has_place_and_noise(self) -> Self:
@@ -36,19 +53,22 @@ class SignalStrengthParameters(HarvestingParameters):
         return self
 
 
-class Analysis(Values):
-    """When a run has lost its target."""
+class SignalStrengthAnalysis(HarvestingAnalysis):
+    """When a run has lost its target, and when too few runs are left to compare."""
 
-    lost_above: Annotated[
-        Positive, Field(description="m, rms position error over the last steps of a lost run")
-    ]
-    lost_last_steps: Annotated[int, Field(ge=1, description="steps over which it is taken")]
+    lost_above: Positive = Field(
+        description="m, rms position error over the last steps of a lost run"
+    )
+    lost_last_steps: int = Field(ge=1, description="number of steps that this error is taken over")
+    fewest_compared: int = Field(
+        ge=1, description="runs that neither filter loses, below which their RMSE is not compared"
+    )
 
 
 class SignalStrengthStudy(HarvestingStudy):
     """Tracking by received signal strength."""
 
-    Analysis = Analysis
+    Analysis = SignalStrengthAnalysis
 
     def period(self, parameters: SignalStrengthParameters) -> float:
         return parameters.sampling_time
@@ -69,7 +89,7 @@ class SignalStrengthStudy(HarvestingStudy):
             np.moveaxis(truth, 1, -1), levels, parameters, noise(parameters), streams
         )
 
-    def lost(self, runs: Runs, analysis: Analysis) -> np.ndarray:
+    def lost(self, runs: Runs, analysis: SignalStrengthAnalysis) -> np.ndarray:
         """Which runs have lost the target, (trials,)."""
         axes = range(0, runs.error.shape[-1], 2)
         last = harvesting_sensors.squared(runs, axes)[:, -analysis.lost_last_steps :]
@@ -77,10 +97,12 @@ class SignalStrengthStudy(HarvestingStudy):
 
 
 def state(dimensions: int) -> tuple[str, ...]:
+    """Names of the state's components."""
     return tuple(f"{kind}_{axis}" for axis in "xyz"[:dimensions] for kind in ("s", "v"))
 
 
 def components(dimensions: int) -> dict[str, range]:
+    """Components of the state that make up the errors in position and velocity."""
     return {
         "position": range(0, 2 * dimensions, 2),
         "velocity": range(1, 2 * dimensions, 2),
@@ -88,6 +110,7 @@ def components(dimensions: int) -> dict[str, range]:
 
 
 def noise(parameters: SignalStrengthParameters) -> GaussianNoise:
+    """Noises of the sensors in use and of their channels."""
     variances = np.array(parameters.measurement_variances[: parameters.sensors])
     return GaussianNoise(variances, parameters.channel_variance)
 
@@ -98,7 +121,7 @@ def positions(parameters: SignalStrengthParameters) -> np.ndarray:
 
 
 def level(parameters: SignalStrengthParameters, x: np.ndarray, i: int) -> np.ndarray:
-    """h^i(x) in dBm of states (trials, n, ...)."""
+    """h^i(x) in dBm of states (trials, n, ...); i counts the sensors from 0."""
     return rss.level(
         x,
         positions(parameters)[i],
@@ -108,18 +131,22 @@ def level(parameters: SignalStrengthParameters, x: np.ndarray, i: int) -> np.nda
     )
 
 
-def saturated(log, i: int) -> np.ndarray:
-    """Where the output of sensor i is saturated, gamma = 1 and |h| > kappa, (trials, steps + 1)."""
-    levels = level(log.parameters, np.moveaxis(log.values["/truth"], 2, 1), i)
-    gamma = log.field("/network", f"saturation_{i + 1}")
+def saturated(log: Log, sensor: int) -> np.ndarray:
+    """Where a sensor's output is saturated, gamma = 1 and |h| > kappa, (trials, steps + 1).
+
+    As in the log and in the paper, the sensors are numbered from 1.
+    """
+    levels = level(log.parameters, np.moveaxis(log.values["/truth"], 2, 1), sensor - 1)
+    gamma = log.field("/network", f"saturation_{sensor}")
     return (gamma == 1) & (np.abs(levels) > log.parameters.saturation_level)
 
 
-def model(parameters: SignalStrengthParameters, draw_prior) -> SensorNetwork:
+def model(parameters: SignalStrengthParameters, draw_prior: DrawPrior) -> SensorNetwork:
+    """What a filter knows, with the prior of one of the studies."""
     time, root = _motion(parameters)
     initial = np.array(parameters.true_initial_state, dtype=float)
 
-    def move(x, k, streams):
+    def move(x: np.ndarray, k: int, streams: Streams) -> np.ndarray:
         return rss.move(x, standard_normal(streams, *x.shape[1:]), time, root)
 
     return SensorNetwork(
