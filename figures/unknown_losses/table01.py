@@ -1,6 +1,9 @@
 """Table I: operations of one iteration, counted in the algorithms as printed."""
 
+from matplotlib.figure import Figure
+
 from repro.plot import style
+from repro.tables.results import Results
 
 NEEDS = {"tables": ["complexity"]}
 CAPTION = (
@@ -16,7 +19,7 @@ PAPERS = {
 }
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     table = results.table("complexity")
     counted = table.set_index(["filter", "component"])["value"]
     particles = int(table["point"].iloc[0].split("=")[1])

@@ -1,4 +1,4 @@
-"""Figures 6 and 7 of Zhang, You, Xie 2018: the quadrotor and its loop, drawn."""
+"""[unknown_losses Figs. 6, 7]: the quadrotor and its loop, drawn."""
 
 import numpy as np
 from matplotlib.axes import Axes

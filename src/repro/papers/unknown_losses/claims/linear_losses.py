@@ -47,11 +47,12 @@ def filters_over_p(results: Results) -> Iterator[tuple[float, str, str]]:
     "Table I: the RBPF needs O(N) matrix products an iteration",
 )
 def products_are_linear_in_particles(results: Results) -> list[Part]:
-    tracked = radar.STUDY.model(results.parameters("radar", "loss=0.5"))
+    tracking = next(iter(swept(results.catalogue, "radar").values()))
+    model = radar.STUDY.model(results.parameters("radar", tracking))
     few, *_, many = next(iter(particle_sweeps(results.catalogue).values()))
 
     def products(particles: int) -> float:
-        return operation_counts.counted(tracked, particles)["rbpf"].products
+        return operation_counts.counted(model, particles)["rbpf"].products
 
     excess = abs(products(many) / products(few) - many / few)
     return [
