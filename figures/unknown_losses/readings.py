@@ -17,12 +17,12 @@ BASE = "loss=0.5"
 
 def draw(results: Results) -> Figure:
     table = results.table("radar")
-    table = table[table["metric"] == "rmse"]
+    table = table.loc[table["metric"] == "rmse"]
     points = [BASE, *(p for p in table["point"].unique() if p.startswith("reading-"))]
     drawn, axes = style.figure(size=(7.8, 4.6))
     filters = ("iekf", *proposed_filters(results.catalogue, "radar", BASE))
     for i, filter_ in enumerate(filters):
-        rows = table[table["filter"] == filter_].set_index("point").loc[points]
+        rows = table.loc[table["filter"] == filter_].set_index("point").loc[points]
         place = np.arange(len(points)) + 0.17 * (i - 1.5)
         color = style.look(results.catalogue, "radar", filter_)["color"]
         label = "IEKF" if filter_ == "iekf" else style.label(filter_)

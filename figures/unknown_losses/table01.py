@@ -21,11 +21,11 @@ PAPERS = {
 
 def draw(results: Results) -> Figure:
     table = results.table("complexity")
-    counted = table.set_index(["filter", "component"])["value"]
+    counted = table.set_index(["filter", "component"])["value"].to_dict()
     particles = int(table["point"].iloc[0].split("=")[1])
 
-    def ours(filter_, component):
-        count = counted[filter_, component]
+    def ours(filter_: str, component: str) -> str:
+        count = float(counted[filter_, component])
         if filter_ != "rbpf":
             return f"{count:g}"
         return "N" if count == particles else f"{count / particles:g}N"

@@ -1,4 +1,6 @@
-"""Rigid body of a quadrotor in "+" configuration, sampled by RK4, and its motors (Quad-Sim, [26]).
+"""Rigid body of a quadrotor in "+" configuration, sampled by RK4, and its motors.
+
+After Quad-Sim [unknown_losses ref. 26].
 
 State (p, q, r, phi, theta, psi, u, v, w, x, y, z), the papers' capitals as ROS has field names:
 body rates in rad/s, roll, pitch and yaw in rad, body velocity in m/s, position in m, z up. Rotor

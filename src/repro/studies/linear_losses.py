@@ -20,7 +20,7 @@ from repro.parameters.values import (
 )
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
-from repro.statistics.shards import Shards
+from repro.statistics.shards import Columns, Shards
 from repro.studies import Fields, Rows, StreamsOf, Study
 
 COMPONENTS = ("x1", "x2")
@@ -78,6 +78,12 @@ class Analysis(Values):
 def squared_error(runs: Runs) -> np.ndarray:
     """|x(k) - xh(k|k)|^2, (trials, steps)."""
     return np.vecdot(runs.error, runs.error)
+
+
+def claimed_mean_square(runs: Runs) -> np.ndarray:
+    """Sum of the claimed variances, mean over the steps, (trials,)."""
+    assert runs.claimed is not None
+    return runs.claimed.sum(axis=-1).mean(axis=1)
 
 
 class LinearLosses(Study):
@@ -143,12 +149,13 @@ class LinearLosses(Study):
         )
 
     def rows(self, shards: Shards, analysis: Analysis) -> Rows:
-        rmse_sum = metrics.roots_over_steps(shards.each(squared_error), average=False)
+        squared = shards.each(squared_error)
+        assert isinstance(squared, Columns)
+        rmse_sum = metrics.roots_over_steps(squared, average=False)
         yield "rmse_sum", "state", metrics.statistic(rmse_sum)
         mean_squared = shards.each(lambda runs: squared_error(runs).mean(axis=1))
         yield "mse", "state", metrics.mean(mean_squared)
-        claimed = shards.each(lambda runs: runs.claimed.sum(axis=-1).mean(axis=1))
-        yield "claimed_mse", "state", metrics.mean(claimed)
+        yield "claimed_mse", "state", metrics.mean(shards.each(claimed_mean_square))
         if "triples" in shards.first.recorded:
             triples = shards.each(lambda runs: runs.recorded["triples"].mean(axis=1))
             yield "triples", "state", metrics.mean(triples)

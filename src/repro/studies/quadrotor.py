@@ -238,7 +238,9 @@ class Quadrotor(ClosedLoop):
 
     def simulate(self, parameters: Parameters, streams: StreamsOf) -> dict[str, np.ndarray]:
         steps, n = parameters.steps, len(STATE)
-        gamma = losses.arrivals(streams("network").uniform(steps + 1), losses.losses(parameters))
+        gamma = losses.arrivals(
+            streams("network").uniform(steps + 1), losses.bernoulli(parameters.loss_probability)
+        )
         process = _per_component(parameters.process_deviations)
         noise = _per_component(parameters.measurement_deviations)
         return {
@@ -261,7 +263,7 @@ class Quadrotor(ClosedLoop):
             measurement_covariance=np.diag(_per_component(parameters.measurement_deviations) ** 2),
             initial_mean=_start(parameters),
             initial_covariance=np.diag(_per_component(parameters.initial_deviations) ** 2),
-            network=losses.losses(parameters),
+            network=losses.bernoulli(parameters.loss_probability),
             innovation=_wrapped,
             linearised=lambda x, speeds, k: quadrotor.linearised(frame, x, speeds, step),
         )
@@ -314,7 +316,7 @@ class Quadrotor(ClosedLoop):
         for component, of in (("position", POSITION), ("velocity", VELOCITY), ("angles", ANGLES)):
             squared = shards.each(lambda runs, of=of: squared_error(runs, of))
             yield "rmse", component, metrics.root_mean(squared)
-        yield "tumbled", "flight", metrics.mean(shards.each(ended).astype(float))
+        yield "tumbled", "flight", metrics.mean(shards.each(lambda runs: ended(runs).astype(float)))
         end_time = shards.each(lambda runs: runs.recorded["end_time"])
         yield "end_time", "flight", metrics.mean(end_time)
         if "arrived" in shards.first.recorded:

@@ -21,7 +21,7 @@ from repro.parameters.values import (
 )
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
-from repro.statistics.shards import Shards
+from repro.statistics.shards import Columns, Shards
 from repro.studies import Fields, Rows, StreamsOf, Study
 
 
@@ -181,8 +181,9 @@ class Radar(Study):
         return final_error(runs) > analysis.lost_above
 
     def rows(self, shards: Shards, analysis: Analysis) -> Rows:
-        rmse = metrics.roots_over_steps(shards.each(squared_error))
-        yield "rmse", "position", metrics.statistic(rmse)
+        squared = shards.each(squared_error)
+        assert isinstance(squared, Columns)
+        yield "rmse", "position", metrics.statistic(metrics.roots_over_steps(squared))
         yield "final_error", "position", metrics.mean(shards.each(final_error))
         if "triples" in shards.first.recorded:
             triples = shards.each(lambda runs: runs.recorded["triples"][:, 1:].mean(axis=1))

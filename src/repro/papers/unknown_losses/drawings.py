@@ -1,6 +1,7 @@
 """[unknown_losses Figs. 1-5]: filters that do not know which measurement is lost."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -96,7 +97,7 @@ def _over_time(
 ) -> None:
     period = results.parameters("radar", point).sampling_time
     for filter_ in SHOWN:
-        look = style.look(results.catalogue, "radar", filter_) | {"marker": ""}
+        look: dict[str, Any] = style.look(results.catalogue, "radar", filter_) | {"marker": ""}
         rows = curves[(curves["point"] == point) & (curves["filter"] == filter_)]
         rows = rows[rows["k"] > 0]
         time = rows["k"] * period

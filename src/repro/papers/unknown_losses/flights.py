@@ -44,7 +44,8 @@ def in_space(results: Results, point: str) -> Figure:
     log = results.log(STUDY, point)
     path = quadrotor.reference(log.parameters)
     drawn = style.pyplot.figure(figsize=(10.6, 5.0))
-    space, above = drawn.add_subplot(1, 2, 1, projection="3d"), drawn.add_subplot(1, 2, 2)
+    space: Any = drawn.add_subplot(1, 2, 1, projection="3d")  # its stubs refuse zoom=0.88
+    above = drawn.add_subplot(1, 2, 2)
     space.plot(*path[:, :3].T, color="black", lw=2, label="reference path")
     above.plot(*path[:, :2].T, color="black", lw=2)
     for filter_ in LINES:
