@@ -10,18 +10,22 @@ import os
 import platform
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
 
+from repro.logs import Log
+from repro.papers.unknown_losses.claims.linear_losses import TIMES
 from repro.parameters.load import load_paper
 from repro.run import run
 from repro.simulate import simulated
-from repro.studies.linear_losses import TRIALS_A_BLOCK
+from repro.studies import linear_losses
 
 ROOT = Path(__file__).parent.parent
-MEASURED = ROOT / "params" / "measured" / "unknown_losses_iteration_times.csv"
-STEPS, ROUNDS, SECONDS = 100, 6, 0.4  # of repeating a round, of which the best counts
+MEASURED = ROOT / TIMES
+STEPS, ROUNDS = 100, 6
+SECONDS = 0.4  # for which a round repeats; its best time counts
 
 
 def processor() -> str:
@@ -33,7 +37,7 @@ def processor() -> str:
     return f"{name.split(':')[1].strip()}, {os.cpu_count()} cores"
 
 
-def best_time(log, name: str, settings: dict) -> float:
+def best_time(log: Log, name: str, settings: dict[str, Any]) -> float:
     """Best CPU time in s of the runs of one round."""
     times, end = [], time.perf_counter() + SECONDS
     while time.perf_counter() < end:
@@ -44,14 +48,16 @@ def best_time(log, name: str, settings: dict) -> float:
 
 
 def main() -> None:
-    points = load_paper(ROOT / "params" / "unknown_losses.yaml", ROOT / "workflow" / "schemas")
+    paper = load_paper(ROOT / "params" / "unknown_losses.yaml")
     rows = []
-    for point, (parameters, filters) in points.studies["linear_losses"].items():
+    for point, (parameters, filters) in paper.studies["linear_losses"].items():
         if not point.startswith("particles="):
             continue
         particles = filters["rbpf"]["particles"]
-        trials = min(250, max(1, TRIALS_A_BLOCK // particles))
-        log = simulated("linear_losses", point, parameters | {"steps": STEPS}, 0, np.arange(trials))
+        block = linear_losses.STUDY.systems_per_block // particles
+        trials = min(parameters.trials, max(1, block))
+        short = parameters.model_copy(update={"steps": STEPS})
+        log = simulated("linear_losses", point, short, 0, np.arange(trials))
         bests = {"rbpf": [], "rbpf_fast": []}
         for _ in range(ROUNDS):  # in turn, so that whatever else the machine does disturbs both
             for name, best in bests.items():

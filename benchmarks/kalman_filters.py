@@ -1,10 +1,11 @@
 """CPU time of the filters for unknown losses: python benchmarks/kalman_filters.py
 
 Limits: a Kalman update 0.5 us a trial-step (n = 2, m = 1) and 1.5 us (n = 6, m = 2); the RBPF 60
-and 250 ns a particle-step. FilterPy, a filter object a trial, stands beside the plain update.
+and 250 ns a particle-step. FilterPy, an object a trial, is timed beside the plain update.
 """
 
 import time
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -12,18 +13,20 @@ import numpy as np
 from filterpy.kalman import ExtendedKalmanFilter, KalmanFilter
 
 from repro import plugins
+from repro.logs import Log
+from repro.models import Model
 from repro.models.sparse import dense
 from repro.parameters.load import load_paper
 from repro.run import run
 from repro.simulate import simulated
 
 ROOT = Path(__file__).parent.parent
-SECONDS = 3.0  # of repeating, of which the best counts
+SECONDS = 3.0  # for which a filter is run again and again; its best time counts
 LIMITS = {("linear_losses", False): 500, ("radar", False): 1500}
 LIMITS |= {("linear_losses", True): 60, ("radar", True): 250}  # ns
 
 
-def cpu(function) -> float:
+def cpu(function: Callable[[], object]) -> float:
     """Best CPU time in s."""
     times, end = [], time.perf_counter() + SECONDS
     while time.perf_counter() < end:
@@ -33,8 +36,8 @@ def cpu(function) -> float:
     return min(times)
 
 
-def filterpy_steps(log, model) -> None:
-    """Predict and update of the first trial, once a step, the packet taken for received."""
+def filterpy_steps(log: Log, model: Model) -> None:
+    """Predict and update of the first trial at every step, as if no packet were lost."""
     n, m = len(model.initial_mean), len(model.measurement_covariance)
     linear = log.study == "linear_losses"
     filter_ = (KalmanFilter if linear else ExtendedKalmanFilter)(dim_x=n, dim_z=m)
@@ -61,9 +64,10 @@ def filterpy_steps(log, model) -> None:
 
 
 def main() -> None:
-    paper = load_paper(ROOT / "params" / "unknown_losses.yaml", ROOT / "workflow" / "schemas")
-    for study, trials in (("linear_losses", 500), ("radar", 1500)):
+    paper = load_paper(ROOT / "params" / "unknown_losses.yaml")
+    for study in ("linear_losses", "radar"):
         parameters, filters = paper.studies[study]["loss=0.5"]
+        trials = parameters.trials
         log = simulated(study, "loss=0.5", parameters, 0, np.arange(trials))
         steps = log.values["/truth"].shape[1]
         for name in ("ekf", "iekf", "bkf_1", "bkf_2", "rbpf", "rbpf_fast"):

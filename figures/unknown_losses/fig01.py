@@ -1,14 +1,17 @@
 """Figure 1: sum of RMSE over the loss probability, linear system."""
 
-from repro.papers.unknown_losses.drawings import error_over_p
+from matplotlib.figure import Figure
 
-NEEDS = {"tables": ["linear_losses"]}
+from repro.papers.unknown_losses.drawings import error_over_p
+from repro.tables.results import Results
+
+NEEDS = {"tables": ["linear_losses"], "points": {"linear_losses": ["loss=0.05"]}}
 CAPTION = (
-    "Figure 1. Sum over 200 steps of the RMSE over the loss probability; on the right "
-    "relative to the IKF. The RBPF has the paper's 20 particles: too few near p = 0 and 1. "
+    "Figure 1. Sum over the steps of the RMSE over the loss probability; on the right relative to "
+    "the IKF. The RBPF has as many particles as in the paper: too few near p = 0 and 1. "
     "The paper prints no number."
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     return error_over_p(results)

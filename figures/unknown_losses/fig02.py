@@ -1,11 +1,14 @@
 """Figure 2: time and accuracy of the RBPF over its number of particles, linear system."""
 
 import pandas as pd
+from matplotlib.figure import Figure
 
 from repro.papers.unknown_losses.drawings import particles_needed
+from repro.tables.results import Results
 
 NEEDS = {
     "tables": ["linear_losses"],
+    "points": {"linear_losses": ["particles=2-loss=0.3", "particles=2-loss=0.5"]},
     "measured": ["params/measured/unknown_losses_iteration_times.csv"],
 }
 CAPTION = (
@@ -16,5 +19,5 @@ CAPTION = (
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     return particles_needed(results, pd.read_csv(NEEDS["measured"][0]))

@@ -1,13 +1,19 @@
 """Figure 3: position RMSE of the radar over time, one panel a loss probability."""
 
-from repro.papers.unknown_losses.drawings import error_over_time
+from matplotlib.figure import Figure
 
-NEEDS = {"tables": ["radar"]}
+from repro.papers.unknown_losses.drawings import error_over_time
+from repro.tables.results import Results
+
+NEEDS = {
+    "tables": ["radar"],
+    "points": {"radar": ["loss=0.1", "loss=0.3", "loss=0.5", "loss=0.7"]},
+}
 CAPTION = (
     "Figure 3. Position RMSE over time with bands of 2 standard errors, and the medians of "
     "the runs: a few lost runs carry the RMSE. The paper's horizon is not known."
 )
 
 
-def draw(results):
-    return error_over_time(results, (0.1, 0.3, 0.5, 0.7))
+def draw(results: Results) -> Figure:
+    return error_over_time(results, NEEDS["points"]["radar"])

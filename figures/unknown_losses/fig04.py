@@ -1,12 +1,15 @@
 """Figure 4: position RMSE of the radar at p = 0.1, 0.5 and 0.8."""
 
-from repro.papers.unknown_losses.drawings import error_over_time_together
+from matplotlib.figure import Figure
 
-NEEDS = {"tables": ["radar"]}
+from repro.papers.unknown_losses.drawings import error_over_time_together
+from repro.tables.results import Results
+
+NEEDS = {"tables": ["radar"], "points": {"radar": ["loss=0.1", "loss=0.5", "loss=0.8"]}}
 CAPTION = (
     "Figure 4. Position RMSE over time at p = 0.1, 0.5 and 0.8, with bands of 2 standard errors."
 )
 
 
-def draw(results):
-    return error_over_time_together(results, (0.1, 0.5, 0.8))
+def draw(results: Results) -> Figure:
+    return error_over_time_together(results, NEEDS["points"]["radar"])

@@ -1,6 +1,9 @@
 """Figure 5b: true and estimated track, p = 0.7."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.unknown_losses.drawings import tracks
+from repro.tables.results import Results
 
 NEEDS = {"points": {"radar": ["loss=0.7"]}}
 CAPTION = (
@@ -9,5 +12,6 @@ CAPTION = (
 )
 
 
-def draw(results):
-    return tracks(results, "loss=0.7")
+def draw(results: Results) -> Figure:
+    (point,) = NEEDS["points"]["radar"]
+    return tracks(results, point)

@@ -1,6 +1,9 @@
 """Figure 5c: true and estimated track from a poor start, p = 0.9."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.unknown_losses.drawings import tracks
+from repro.tables.results import Results
 
 NEEDS = {"points": {"radar": ["poor-loss=0.9"]}}
 CAPTION = (
@@ -9,5 +12,6 @@ CAPTION = (
 )
 
 
-def draw(results):
-    return tracks(results, "poor-loss=0.9")
+def draw(results: Results) -> Figure:
+    (point,) = NEEDS["points"]["radar"]
+    return tracks(results, point)

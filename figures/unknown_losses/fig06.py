@@ -1,6 +1,9 @@
 """Figure 6: the structure of the quadrotor, drawn."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.unknown_losses.diagrams import quadrotor
+from repro.tables.results import Results
 
 NEEDS = {}
 CAPTION = (
@@ -9,5 +12,5 @@ CAPTION = (
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     return quadrotor()

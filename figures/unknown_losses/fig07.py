@@ -1,6 +1,9 @@
 """Figure 7: the control architecture, drawn."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.unknown_losses.diagrams import control_loop
+from repro.tables.results import Results
 
 NEEDS = {}
 CAPTION = (
@@ -9,5 +12,5 @@ CAPTION = (
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     return control_loop()

@@ -1,6 +1,9 @@
 """Figure 8: trajectories of the controlled quadrotor in space."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.unknown_losses.flights import in_space
+from repro.tables.results import Results
 
 NEEDS = {"points": {"quadrotor": ["nominal"]}}
 CAPTION = (
@@ -9,5 +12,6 @@ CAPTION = (
 )
 
 
-def draw(results):
-    return in_space(results, "nominal")
+def draw(results: Results) -> Figure:
+    (point,) = NEEDS["points"]["quadrotor"]
+    return in_space(results, point)

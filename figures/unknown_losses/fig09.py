@@ -1,6 +1,9 @@
 """Figure 9: trajectories over time."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.unknown_losses.flights import over_time
+from repro.tables.results import Results
 
 NEEDS = {"points": {"quadrotor": ["nominal"]}}
 CAPTION = (
@@ -9,5 +12,6 @@ CAPTION = (
 )
 
 
-def draw(results):
-    return over_time(results, "nominal")
+def draw(results: Results) -> Figure:
+    (point,) = NEEDS["points"]["quadrotor"]
+    return over_time(results, point)

@@ -1,6 +1,9 @@
 """Figure 10: tracking error of the EKF that ignores the losses."""
 
+from matplotlib.figure import Figure
+
 from repro.papers.unknown_losses.flights import ignoring_losses
+from repro.tables.results import Results
 
 NEEDS = {"points": {"quadrotor": ["nominal", "far"]}}
 CAPTION = (
@@ -12,5 +15,5 @@ CAPTION = (
 )
 
 
-def draw(results):
-    return ignoring_losses(results, ("nominal", "far"))
+def draw(results: Results) -> Figure:
+    return ignoring_losses(results, NEEDS["points"]["quadrotor"])

@@ -1,6 +1,9 @@
 """Table I: operations of one iteration, counted in the algorithms as printed."""
 
+from matplotlib.figure import Figure
+
 from repro.plot import style
+from repro.tables.results import Results
 
 NEEDS = {"tables": ["complexity"]}
 CAPTION = (
@@ -16,13 +19,13 @@ PAPERS = {
 }
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     table = results.table("complexity")
-    counted = table.set_index(["filter", "component"])["value"]
+    counted = table.set_index(["filter", "component"])["value"].to_dict()
     particles = int(table["point"].iloc[0].split("=")[1])
 
-    def ours(filter_, component):
-        count = counted[filter_, component]
+    def ours(filter_: str, component: str) -> str:
+        count = float(counted[filter_, component])
         if filter_ != "rbpf":
             return f"{count:g}"
         return "N" if count == particles else f"{count / particles:g}N"

@@ -1,8 +1,11 @@
 """Table II: parameters of the radar example, as the logs carry them."""
 
 import numpy as np
+from matplotlib.figure import Figure
 
+from repro.papers.unknown_losses.points import swept
 from repro.plot import style
+from repro.tables.results import Results
 
 NEEDS = {"points": {"radar": ["loss=0.5"]}}
 CAPTION = (
@@ -12,20 +15,17 @@ CAPTION = (
 )
 
 
-def draw(results):
-    used = results.log("radar", "loss=0.5").parameters
-    swept = sorted(
-        float(point.removeprefix("loss="))
-        for point in results.catalogue["radar"]
-        if point.startswith("loss=")
-    )
+def draw(results: Results) -> Figure:
+    (point,) = NEEDS["points"]["radar"]
+    used = results.parameters("radar", point)
+    losses = ", ".join(f"{p:g}" for p in swept(results.catalogue, "radar"))
     cells = [
-        ["sampling period τ", f"{used['sampling_time']:g} s", "0.01 s"],
-        ["manoeuvre deviation σ$_m$", f"{used['manoeuvre_deviation']:g} m/s²", "4 m/s²"],
-        ["reciprocal of the manoeuvre time α", f"{used['manoeuvre_rate']:g}", "1"],
-        ["bearing deviation σ$_φ$", f"{np.round(used['bearing_deviation_deg'], 6):g}°", "5°"],
-        ["range deviation σ$_r$", f"{used['range_deviation']:g} m", "5 m"],
-        ["loss probability p", ", ".join(f"{p:g}" for p in swept), "0.1, 0.3, 0.5, 0.7"],
+        ["sampling period τ", f"{used.sampling_time:g} s", "0.01 s"],
+        ["manoeuvre deviation σ$_m$", f"{used.manoeuvre_deviation:g} m/s²", "4 m/s²"],
+        ["reciprocal of the manoeuvre time α", f"{used.manoeuvre_rate:g}", "1"],
+        ["bearing deviation σ$_φ$", f"{np.round(used.bearing_deviation_deg, 6):g}°", "5°"],
+        ["range deviation σ$_r$", f"{used.range_deviation:g} m", "5 m"],
+        ["loss probability p", losses, "0.1, 0.3, 0.5, 0.7"],
     ]
     drawn, axes = style.figure(size=(7.2, 2.4))
     axes.axis("off")

@@ -1,6 +1,9 @@
 """Every published value and claim of the paper with its verdict."""
 
+from matplotlib.figure import Figure
+
 from repro.plot.verdicts import verdicts
+from repro.tables.results import Results
 
 NEEDS = {"diff": True}
 CAPTION = (
@@ -9,5 +12,5 @@ CAPTION = (
 )
 
 
-def draw(results):
+def draw(results: Results) -> Figure:
     return verdicts(results, "unknown_losses")

@@ -1,4 +1,4 @@
-"""The quadrotor's loop against what must hold of it (Zhang, You, Xie 2018, Sec. VI-C)."""
+"""The quadrotor's loop against what must hold of it [unknown_losses Sec. VI-C]."""
 
 import sys
 from types import ModuleType
@@ -17,12 +17,12 @@ from repro.studies import quadrotor as study
 from tests.conftest import points
 
 POINT = points()["quadrotor"]["nominal"]
-SETTINGS = POINT.filters | {"rbpf_fast": POINT.filters["rbpf"]}
+SETTINGS = POINT.filters | {"rbpf": POINT.filters["rbpf_fast"]}
 ON_THE_ESTIMATE = ("ekf_no_loss", "iekf", "bkf_1", "bkf_2", "rbpf", "rbpf_fast", "ekf")
 
 
 def disturbances(trials=2, **changes):
-    parameters = dict(POINT.parameters) | changes
+    parameters = POINT.parameters.model_copy(update=changes)
     return simulated("quadrotor", "nominal", parameters, 1, np.arange(trials))
 
 
@@ -47,8 +47,8 @@ def test_both_algorithms_of_the_rbpf_fly_the_same_to_the_last_bit():
 
 def test_with_exact_measurements_the_estimate_is_the_truth():
     """Then the flight is the one on the true state, whatever is lost."""
-    exact = dict(measurement_deviations=[1e-7] * 4, initial_deviations=[1e-7] * 4)
-    log = disturbances(steps=150, process_deviations=[1e-7] * 4, **exact)
+    exact = dict(measurement_deviations=(1e-7,) * 4, initial_deviations=(1e-7,) * 4)
+    log = disturbances(steps=150, process_deviations=(1e-7,) * 4, **exact)
     truth = flown(log, "true_state")[1].flown["/truth"]
     for name in ("iekf", "bkf_1"):
         np.testing.assert_allclose(flown(log, name)[1].flown["/truth"], truth, atol=1e-5)
@@ -68,7 +68,7 @@ def test_the_ekf_that_ignores_losses_flies_too_high(loss):
 
 def test_on_the_true_state_only_the_controllers_lag_is_left():
     """The position error is the velocity command: at 0.2 m/s the flight is 0.2 m behind."""
-    log = disturbances(trials=1, steps=3500, process_deviations=[0.0] * 4)
+    log = disturbances(trials=1, steps=3500, process_deviations=(0.0,) * 4)
     position = flown(log, "true_state")[1].recorded["position"][0]
     path = study.reference(log.parameters)[:, :3]
     lag = np.linalg.norm(position - path, axis=1)
@@ -78,10 +78,11 @@ def test_on_the_true_state_only_the_controllers_lag_is_left():
 
 def test_a_flight_that_tumbles_is_ended_and_stays_finite():
     log = disturbances(trials=4, steps=1500)
-    log = log._replace(parameters=log.parameters | {"tumbled_above_deg": 3.0})
+    changed = log.parameters.model_copy(update={"tumbled_above_deg": 3.0})
+    log = log._replace(parameters=changed)
     estimate, runs = flown(log, "ekf")
     end = runs.recorded["end"]
-    assert (end < 1501).any() and study.lost(runs).any()
+    assert (end < 1501).any() and study.ended(runs).any()
     truth = runs.flown["/truth"]
     for arrays in (estimate, runs.error, truth, *runs.recorded.values()):
         assert np.isfinite(arrays).all()
@@ -91,10 +92,10 @@ def test_a_flight_that_tumbles_is_ended_and_stays_finite():
         assert np.abs(truth[flight, :first, 3:5]).max() <= np.deg2rad(3.0)
         assert (truth[flight, first - 2] != held[0]).any()
     shards = Shards([lambda: runs], [len(end)])
-    whole = {f"{metric} {part}": s.value for metric, part, s in study.rows(shards)}
-    assert whole["tumbled flight"] == (end < 1501).mean()
-    assert whole["end_time flight"] == pytest.approx(np.minimum(end, 1500).mean() * 0.01)
-    assert np.isfinite(list(whole.values())).all()
+    rows = {f"{metric} {part}": s.value for metric, part, s in study.STUDY.rows(shards, None)}
+    assert rows["tumbled flight"] == (end < 1501).mean()
+    assert rows["end_time flight"] == pytest.approx(np.minimum(end, 1500).mean() * 0.01)
+    assert np.isfinite(list(rows.values())).all()
 
 
 def test_an_estimate_that_is_not_finite_ends_its_flight_alone(monkeypatch):
@@ -121,9 +122,9 @@ def test_an_estimate_that_is_not_finite_ends_its_flight_alone(monkeypatch):
 
 def test_flight_log_replays(tmp_path):
     """Throttles give the rotor speeds, those the truth, and that what was received."""
-    parameters = dict(POINT.parameters) | {"steps": 80}
+    parameters = POINT.parameters.model_copy(update={"steps": 80})
     recorded, log_path = tmp_path / "runs.npz", tmp_path / "log.mcap"
-    simulate("quadrotor", "nominal", parameters, 1, (0, 2), log_path)
+    simulate("quadrotor", "nominal", parameters.plain(), 1, (0, 2), log_path)
     run_filter(log_path, "quadrotor", "nominal", "bkf_1", {}, recorded, tmp_path / "flight.mcap")
     log, flight = read_log(log_path), read_log(tmp_path / "flight.mcap", study="quadrotor")
     assert set(flight.fields) == {"/truth", "/received", "/estimate", "/reference", "/throttle"}
@@ -166,7 +167,7 @@ def test_only_the_true_state_sees_the_truth():
 @pytest.mark.parametrize("name", ["iekf", "rbpf_fast"])
 def test_errors_are_as_large_as_the_filter_claims(name, monkeypatch):
     """Ensemble mean square against the mean claimed variance, but for the slow position."""
-    monkeypatch.setattr(study, "CLAIMED_VARIANCE", True)
+    monkeypatch.setattr(study.Quadrotor, "keeps_claimed_variance", True)
     runs = flown(disturbances(trials=20, steps=500), name)[1]
     squared, claimed = (runs.error**2)[:, 100:, :9], runs.claimed[:, 100:, :9]
     np.testing.assert_allclose(squared.mean((0, 1)) / claimed.mean((0, 1)), 1.0, atol=0.25)

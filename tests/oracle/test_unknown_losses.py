@@ -7,16 +7,15 @@ import numpy as np
 import pytest
 from scipy.stats import multivariate_normal
 
+from repro import plugins
 from repro.models.sparse import dense
 from repro.papers.unknown_losses import operation_counts
 from repro.run import run
-from repro.studies import linear_losses, radar
 from tests.conftest import points, small_log
 
 RBPF = points()["linear_losses"]["loss=0.5"].filters["rbpf"]
 THETA = {"prior": "theta"}
 SETTINGS = {"rbpf": RBPF, "rbpf_fast": RBPF, "bkf_2": THETA}
-STUDIES = {"linear_losses": linear_losses, "radar": radar}
 
 
 def filtered(log, name, **changes):
@@ -25,7 +24,7 @@ def filtered(log, name, **changes):
 
 
 def with_parameters(log, **changes):
-    return log._replace(parameters=log.parameters | changes)
+    return log._replace(parameters=log.parameters.model_copy(update=changes))
 
 
 def log_of(received, **changes):
@@ -81,7 +80,7 @@ def test_two_steps_by_hand():
 def test_filterpy_agrees_on_the_plain_update():
     kalman = pytest.importorskip("filterpy.kalman")
     log = small_log("linear_losses", "loss=0.5", trials=2, steps=50)
-    model = linear_losses.model(log.parameters)
+    model = plugins.study("linear_losses").model(log.parameters)
     found = filtered(log, "ekf")[0]
     for trial, received in enumerate(log.values["/received"]):
         other = kalman.KalmanFilter(dim_x=2, dim_z=1)
@@ -101,8 +100,9 @@ def test_filterpy_agrees_on_the_plain_update():
 def test_the_printed_algorithms_agree(study, name):
     """Each filter against its algorithm written out in plain matrix algebra, step by step."""
     log = small_log(study, "loss=0.5", trials=4, steps=40)
-    model, found = STUDIES[study].model(log.parameters), filtered(log, name)[0]
-    n, first = len(model.initial_mean), STUDIES[study].first_step(log.parameters)
+    scenario, found = plugins.study(study), filtered(log, name)[0]
+    model = scenario.model(log.parameters)
+    n, first = len(model.initial_mean), scenario.first_step(log.parameters)
     for trial in range(4):
         x, sigma = model.initial_mean, model.initial_covariance
         for k in range(first, found.shape[1]):
@@ -127,7 +127,7 @@ def conditional_moments(log, theta):
     Each sequence is one joint Gaussian of (x(K), y(0) ... y(K)), without any recursion.
     """
     p = log.parameters
-    f, h = np.array(p["transition_matrix"]), np.array(p["measurement_row"])
+    f, h = np.array(p.transition_matrix), np.array(p.measurement_row)
     y = log.values["/received"][0, :, 0]
     steps = len(y)
     powers = [np.linalg.matrix_power(f, i) for i in range(steps)]
@@ -247,7 +247,8 @@ def test_bkf_2_with_its_literal_prior_becomes_the_kalman_filter():
 
 
 def test_table_1_is_counted():
-    rows = operation_counts.table_1(n=6, m=2, particles=20)
+    model = plugins.study("radar").model(points()["radar"]["loss=0.5"].parameters)
+    rows = operation_counts.table_1(model, particles=20)
     counted = {(row["filter"], row["component"]): row["value"] for row in rows}
     assert counted["iekf", "densities"] == 0
     assert counted["iekf", "products"] == counted["bkf_1", "products"] == 7

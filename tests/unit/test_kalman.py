@@ -35,12 +35,12 @@ def random_model(generator, n, m):
 
 
 def unpacked(packed, n):
-    return packed[kalman._places(n)]
+    return packed[kalman.packed_places(n)]
 
 
 @pytest.mark.parametrize(("n", "m"), [(2, 1), (3, 3), (6, 2), (12, 12)])
 def test_a_step_is_the_kalman_filters(n, m):
-    """R is not diagonal and A is dense: nothing rests on the structure of the paper's examples."""
+    """R is not diagonal and A is dense: nothing relies on the structure of the paper's examples."""
     generator = np.random.default_rng(n)
     model, a, c = random_model(generator, n, m)
     x, p = kalman.start(model, SYSTEMS)

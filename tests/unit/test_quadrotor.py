@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 from repro.control import cascaded_pid, path
 from repro.errors import ReproError
-from repro.inspect.user_log import run_own
+from repro.inspect.user_log import open_loop
 from repro.models import quadrotor as model
 from repro.studies import quadrotor as study
 from tests.conftest import points
@@ -14,7 +14,7 @@ from tests.conftest import points
 PARAMETERS = points()["quadrotor"]["nominal"].parameters
 FRAME, MOTOR = study.airframe(PARAMETERS), study.motor(PARAMETERS)
 SETTINGS = study.controller(PARAMETERS)
-PERIOD = 0.01
+PERIOD = PARAMETERS.period
 
 
 def states(count=6, seed=3):
@@ -192,7 +192,7 @@ def test_path_is_linear_and_held():
     )
 
 
-def test_a_closed_loop_has_no_truth_to_bring_along():
+def test_no_log_recorded_elsewhere_can_be_filtered_in_a_closed_loop():
     with pytest.raises(ReproError, match="quadrotor: a closed loop") as error:
-        run_own("-", {"study": "quadrotor", "parameters": PARAMETERS}, "iekf", "-")
+        open_loop("quadrotor")
     assert "\n" not in str(error.value)

@@ -23,10 +23,10 @@ def test_measurement_jacobian(position):
 def test_bearing_is_wrapped_to_half_open_interval():
     received = np.array([[5.0, 3.1], [5.0, -3.1], [5.0, np.pi]])
     expected = np.array([[4.0, -3.1], [4.0, 3.1], [4.0, 0.0]])
-    found = radar.wrapped_innovation(received, expected)
-    np.testing.assert_allclose(found[:, 0], 1.0)
+    innovation = radar.wrapped_innovation(received, expected)
+    np.testing.assert_allclose(innovation[:, 0], 1.0)
     turn = 6.2 - 2 * np.pi
-    np.testing.assert_allclose(found[:, 1], [turn, -turn, -np.pi], atol=1e-12)
+    np.testing.assert_allclose(innovation[:, 1], [turn, -turn, -np.pi], atol=1e-12)
 
 
 def test_motion_is_that_of_constant_acceleration():
@@ -35,7 +35,7 @@ def test_motion_is_that_of_constant_acceleration():
     np.testing.assert_allclose(moved, [1.215, 2.3, 3.0, -1.1975, -1.95, 0.5])
 
 
-def test_covariances_are_the_papers():
+def test_covariances_are_those_of_the_paper():
     """Q by quadrature of the continuous model, Sigma_0 singular with its printed entries."""
     period, alpha, sigma = 0.01, 1.0, 4.0
     times = (np.arange(2000) + 0.5) * period / 2000
@@ -51,8 +51,8 @@ def test_covariances_are_the_papers():
 
 
 def test_the_filters_know_the_input_that_drives_the_truth():
-    changes = {"known_input": [0.0, 1.0, 0.2], "manoeuvre_deviation": 0.0, "steps": 9}
-    parameters = points()["radar"]["loss=0.5"].parameters | changes
+    changes = {"known_input": (0.0, 1.0, 0.2), "manoeuvre_deviation": 0.0, "steps": 9}
+    parameters = points()["radar"]["loss=0.5"].parameters.model_copy(update=changes)
     truth = simulated("radar", "loss=0.5", parameters, 1, np.arange(2)).values["/truth"]
     predicted = plugins.study("radar").model(parameters).transition(truth[:, :-1], 0)
     np.testing.assert_allclose(truth[:, 1:], predicted, rtol=1e-13)

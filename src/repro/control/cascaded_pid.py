@@ -1,7 +1,8 @@
-"""Cascaded PID controller of a quadrotor and the mixing of its commands (Quad-Sim, [26]).
+"""Cascaded PID controller of a quadrotor and the mixing of its commands.
 
-The position error is the velocity command; velocity errors command roll and pitch; those, yaw and
-altitude command the throttles. All feedback is the estimate. Arrays are component-major.
+After Quad-Sim [unknown_losses ref. 26]. The position error is the velocity command; velocity errors
+command roll and pitch; those, yaw and altitude command the throttles. All feedback is the estimate.
+Arrays are component-major.
 """
 
 from typing import NamedTuple

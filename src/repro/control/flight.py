@@ -1,4 +1,4 @@
-"""A quadrotor flown on a filter's estimate: the loop of Fig. 7 of Zhang, You, Xie 2018.
+"""A quadrotor flown on a filter's estimate: the loop of [unknown_losses Fig. 7].
 
 Order of a step: y(k) -> update -> controller -> plant step with the current rotor speeds -> motor
 step. So y(k + 1) depends on the estimate at k, and every filter flies its own truth under the same
@@ -33,7 +33,16 @@ class Flight(Channels):
     true initial state and start_speed that of all rotors in RPM.
     """
 
-    def __init__(self, system: System, process, noise, gamma, reference, start, start_speed):
+    def __init__(
+        self,
+        system: System,
+        process: np.ndarray,
+        noise: np.ndarray,
+        gamma: np.ndarray,
+        reference: np.ndarray,
+        start: np.ndarray,
+        start_speed: float,
+    ):
         self._system, self._reference = system, reference
         self._process, self._noise, self._gamma = process, noise, gamma
         flights, samples = gamma.shape
@@ -42,14 +51,14 @@ class Flight(Channels):
         self._received = np.empty(self._truth.shape)
         self._throttle = np.empty((flights, samples - 1, 4))
         self._speeds = np.full((flights, 4), start_speed)
-        self._controller = None
+        self._controller: cascaded_pid.State | None = None
         self._end = np.full(flights, samples)  # first step that is not flown
 
-    def at(self, k: int, estimate: np.ndarray) -> dict:
-        """What the sensors and the network offer at step k after the estimate of step k - 1."""
+    def at(self, k: int, fed_back: np.ndarray) -> dict[str, np.ndarray]:
+        """What sensors and network offer at step k, flown on the estimate of step k - 1."""
         speeds = self._speeds
         if k > 0:
-            self._fly(k - 1, estimate.T)
+            self._fly(k - 1, fed_back.T)
         truth, noise, gamma = self._truth[:, k], self._noise[:, k], self._gamma[:, k]
         self._received[:, k] = gamma[:, None] * truth + noise  # (2) with h(x) = x
         return {
@@ -90,7 +99,7 @@ class Flight(Channels):
         self._end[lost] = k
         return self._end <= k
 
-    def record(self) -> dict:
+    def record(self) -> dict[str, np.ndarray]:
         """Positions, distances to the reference, losses, and when each flight ended (step, s)."""
         position = self._truth[:, :, quadrotor.POSITION]
         return {
@@ -101,6 +110,6 @@ class Flight(Channels):
             "end_time": np.minimum(self._end, len(self._reference) - 1) * self._system.period,
         }
 
-    def flown(self) -> dict:
+    def flown(self) -> dict[str, np.ndarray]:
         """Topics of the flight log that the loop itself decided."""
         return {"/truth": self._truth, "/received": self._received, "/throttle": self._throttle}

@@ -1,14 +1,18 @@
-"""BKF-II: both hypotheses of a loss, merged (Zhang, You, Xie 2018, Algorithm 2).
+"""BKF-II: both hypotheses of a loss, merged [unknown_losses Algorithm 2].
 
-The text below (11) takes lambda(k-1) for the prior of gamma(k); then lambda is its own prior and
-is driven to one of its ends for good. The default prior is that of the loss process instead.
+The text below (11) takes lambda(k-1) for the prior of gamma(k). Lambda is then its own prior and
+soon stays at 0 or 1. The default prior is that of the loss process instead.
 """
+
+from typing import Any
 
 import numpy as np
 
 from repro.filters import Filter
 from repro.filters.families import extended_kalman
+from repro.filters.families.extended_kalman import Evidence, Weighed
 from repro.models import Model
+from repro.network.channels import Seen
 from repro.network.losses import log_odds
 from repro.parameters.settings import MergedHypotheses
 
@@ -20,10 +24,10 @@ def build(model: Model, settings: MergedHypotheses) -> Filter:
     """Setting `prior`: theta (of the loss process), or lambda(k-1) as printed below (11)."""
     chain, literal = model.network, settings.prior == "lambda(k-1)"
 
-    def weigh(seen, evidence, last):
+    def weigh(seen: Seen, evidence: Evidence, last: Any) -> Weighed:
         # Of lambda(k-1) the log odds are kept: lambda itself would round to 0 or 1.
-        own = literal and last is not None
-        odds = evidence() + (last if own else log_odds(chain.arrival(last)))
+        prior = last if literal and last is not None else log_odds(chain.arrival(last))
+        odds = evidence() + prior
         with np.errstate(over="ignore"):  # odds of -1000 make lambda 0
             arrived = 1 / (1 + np.exp(-odds))  # lambda(k) of (11)
         return arrived, odds if literal else arrived

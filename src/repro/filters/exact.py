@@ -4,7 +4,7 @@ Not in the paper, and for short horizons only: the number of sequences doubles a
 a linear system it is the minimum mean squared error estimate, to which the RBPF converges.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -12,6 +12,8 @@ from repro.filters import Filter
 from repro.filters.families import kalman
 from repro.kernels.resampling import normalised
 from repro.models import Model
+from repro.network.channels import Seen
+from repro.streams import Streams
 
 LABEL = "exact"
 SEES = ("received",)
@@ -19,21 +21,23 @@ SEQUENCES = 2**12  # at the end of the longest horizon: how the runner sizes its
 
 
 class State(NamedTuple):
+    """A Kalman filter a loss sequence."""
+
     estimate: np.ndarray  # of each trial's sequences, (n, trials * sequences)
     covariance: np.ndarray  # packed, (n (n + 1) / 2, trials * sequences)
     last: np.ndarray | None  # gamma(k) of each sequence, (sequences,)
     log_weights: np.ndarray  # log Pr(sequence | y(0) ... y(k)) + constant, (trials, sequences)
 
 
-def build(model: Model, settings: dict) -> Filter:
+def build(model: Model, settings: dict[str, Any]) -> Filter:
     n, m, chain = len(model.initial_mean), len(model.measurement_covariance), model.network
     of_noise = kalman.noise_log_likelihood(model)
 
-    def init(streams):
+    def init(streams: Streams) -> State:
         trials = len(streams)
         return State(*kalman.start(model, trials), None, np.zeros((trials, 1)))
 
-    def step(state, k, seen):
+    def step(state: State, k: int, seen: Seen) -> State:
         estimate, covariance, last, log_weights = state
         trials, sequences = log_weights.shape
         if k > 0:
@@ -49,9 +53,9 @@ def build(model: Model, settings: dict) -> Filter:
             lost = log_weights + np.log1p(-arrival) + of_noise(received)[:, None]
         updated = kalman.correct(estimate.copy(), covariance.copy(), innovation, 1.0)
 
-        def both(without, with_):
-            parts = [part.reshape(-1, trials, sequences) for part in (without, with_)]
-            return np.concatenate(parts, axis=-1).reshape(len(without), -1)
+        def both(if_lost, if_arrived):
+            parts = [part.reshape(-1, trials, sequences) for part in (if_lost, if_arrived)]
+            return np.concatenate(parts, axis=-1).reshape(len(if_lost), -1)
 
         return State(
             both(estimate, updated[0]),
@@ -60,11 +64,11 @@ def build(model: Model, settings: dict) -> Filter:
             np.concatenate([lost, arrived], axis=-1),
         )
 
-    def mean(state):
+    def mean(state: State) -> np.ndarray:
         weights, _ = normalised(state.log_weights)
         return np.vecdot(state.estimate.reshape(n, *weights.shape), weights).T
 
-    def variance(state):
+    def variance(state: State) -> np.ndarray:
         weights, _ = normalised(state.log_weights)
         estimates = state.estimate.reshape(n, *weights.shape)
         spread = (estimates - np.vecdot(estimates, weights)[..., None]) ** 2

@@ -1,7 +1,7 @@
-"""Fast RBPF: one Kalman update for each distinct particle (Zhang, You, Xie 2018, Algorithm 4)."""
+"""Fast RBPF: one Kalman update for each distinct particle [unknown_losses Algorithm 4]."""
 
 from repro.filters import Filter
-from repro.filters.families import rao_blackwell
+from repro.filters.families.rao_blackwell import ColumnPerTriple
 from repro.models import Model
 from repro.parameters.settings import RaoBlackwell
 
@@ -11,4 +11,4 @@ STREAM = "rbpf"  # the same random numbers as Algorithm 3
 
 
 def build(model: Model, settings: RaoBlackwell) -> Filter:
-    return rao_blackwell.build(model, settings, distinct=True)
+    return ColumnPerTriple(model, settings).filter()

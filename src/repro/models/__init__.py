@@ -8,40 +8,52 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from repro.models.sparse import Rows
+
+# Position of the sensor that measures, (..., 2), where a study schedules sensors; None elsewhere.
+Sensor = Any
+
+MatrixOfStep = Callable[[int], np.ndarray]  # k -> A(k), (n, n)
+Transition = Callable[[np.ndarray, int], np.ndarray]  # (x, k) -> f(x), (..., n), a new array
+TransitionJacobian = Callable[[np.ndarray, int], Rows]  # (x, k) -> f'(x), n rows
+Measurement = Callable[[np.ndarray, Sensor], np.ndarray]  # (x, sensor) -> h(x), (..., m)
+MeasurementJacobian = Callable[[np.ndarray, Sensor], Rows]  # (x, sensor) -> h'(x), m rows
+# (received, expected) -> their difference, (..., m), in which angles are wrapped
+Difference = Callable[[np.ndarray, np.ndarray], np.ndarray]
+# (x, u, k) -> f(x, u), (..., n), and its Jacobian by x, dense, (..., n, n)
+Linearised = Callable[[np.ndarray, np.ndarray, int], tuple[np.ndarray, np.ndarray]]
+
 
 class LinearModel(NamedTuple):
     """x(k+1) = A(k) x(k) + w(k), z(k) = c x(k) + v(k), with what is known of the network."""
 
-    transition_matrix: Callable[[int], np.ndarray]  # k -> A(k), (n, n)
+    transition_matrix: MatrixOfStep  # k -> A(k)
     measurement_row: np.ndarray  # c, (n,)
     process_covariance: np.ndarray  # Q, (n, n)
     measurement_variance: float  # R
     initial_mean: np.ndarray  # (n,)
     initial_covariance: np.ndarray  # P(0|0), (n, n)
     initial_second_moment: np.ndarray  # S(0) = E[x(0) x(0)'], (n, n)
-    network: Any = None
+    network: Any = None  # e.g. DelayNetwork
 
 
 class Model(NamedTuple):
     """x(k+1) = f(x(k)) + w(k), z(k) = h(x(k)) + v(k), z of m components, with f' and h'.
 
-    h takes the position of the sensor that measures, (..., 2), where a study schedules sensors;
-    it is None elsewhere. Jacobians are sparse rows (repro.models.sparse).
+    Jacobians are sparse rows (repro.models.sparse).
     """
 
-    transition: Callable  # (x, k) -> x(k+1) without noise, (..., n), a new array
-    transition_jacobian: Callable  # (x, k) -> n rows
-    measurement: Callable  # (x, sensor) -> (..., m)
-    measurement_jacobian: Callable  # (x, sensor) -> m rows
+    transition: Transition
+    transition_jacobian: TransitionJacobian
+    measurement: Measurement
+    measurement_jacobian: MeasurementJacobian
     process_covariance: np.ndarray  # Q, (n, n)
     measurement_covariance: np.ndarray  # R, (m, m)
-    initial_mean: np.ndarray
-    initial_covariance: np.ndarray
-    network: Any = None
-    innovation: Callable = np.subtract  # (received, expected) -> (..., m); angles are wrapped
-    # Of a system with a known input u, instead of the first two:
-    # (x, u, k) -> f(x, u), (..., n), and its Jacobian, dense, (..., n, n)
-    linearised: Callable | None = None
+    initial_mean: np.ndarray  # (n,)
+    initial_covariance: np.ndarray  # (n, n)
+    network: Any = None  # what a filter knows of it: DelayNetwork, repro.network.losses.Losses
+    innovation: Difference = np.subtract
+    linearised: Linearised | None = None  # instead of the first two, where an input u is known
 
 
 class DelayNetwork(NamedTuple):

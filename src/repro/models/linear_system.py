@@ -16,12 +16,12 @@ def product(matrix: Rows, x: np.ndarray, known_input: np.ndarray | None = None) 
     return values.T
 
 
-def trajectory(matrix: Rows, x0: np.ndarray, driven_by: np.ndarray) -> np.ndarray:
-    """States (trials, steps, n) from x(0) (trials, n) and what is added, (trials, steps - 1, n)."""
-    states = np.empty((len(x0), driven_by.shape[1] + 1, x0.shape[1]))
+def trajectory(matrix: Rows, x0: np.ndarray, inputs: np.ndarray) -> np.ndarray:
+    """States (trials, steps, n) from x(0), (trials, n), and inputs (trials, steps - 1, n)."""
+    states = np.empty((len(x0), inputs.shape[1] + 1, x0.shape[1]))
     states[:, 0] = x0
-    for k in range(driven_by.shape[1]):
-        states[:, k + 1] = product(matrix, states[:, k]) + driven_by[:, k]
+    for k in range(inputs.shape[1]):
+        states[:, k + 1] = product(matrix, states[:, k]) + inputs[:, k]
     return states
 
 

@@ -1,8 +1,9 @@
-"""Rigid body of a quadrotor in "+" configuration, sampled by RK4, and its motors (Quad-Sim, [26]).
+"""Rigid body of a quadrotor in "+" configuration, sampled by RK4, and its motors.
 
-State (p, q, r, phi, theta, psi, u, v, w, x, y, z), the papers' capitals as ROS has field names:
+After Quad-Sim [unknown_losses ref. 26]. State (p, q, r, phi, theta, psi, u, v, w, x, y, z): the
+paper's symbols in lower case, as ROS wants field names;
 body rates in rad/s, roll, pitch and yaw in rad, body velocity in m/s, position in m, z up. Rotor
-speeds w1 ... w4 in RPM; motor 1 stands on +x and motor 2 on +y. States are (..., 12) and rotor
+speeds w1 ... w4 in RPM; motor 1 is on +x and motor 2 on +y. States are (..., 12) and rotor
 speeds (..., 4); memory is component-major inside.
 """
 
@@ -13,6 +14,7 @@ import numpy as np
 STATE = ("p", "q", "r", "phi", "theta", "psi", "u", "v", "w", "x", "y", "z")
 RATES, ANGLES, VELOCITY, POSITION = (slice(i, i + 3) for i in (0, 3, 6, 9))
 CORE = 9  # components that drive others; the position drives none
+P, Q, R, PHI, THETA, PSI, U, V, W = range(CORE)
 RPM = 2 * np.pi / 60  # rad/s
 
 
@@ -161,47 +163,58 @@ def linearised(
     return after.T, jacobian
 
 
+def derivative_jacobian(frame: Airframe, x: np.ndarray, speeds: np.ndarray) -> np.ndarray:
+    """d(dx/dt)/dx by the components that drive others, (..., 12, CORE)."""
+    return _stage_jacobian(frame, x.T, _loads(frame, speeds))
+
+
 def _stage_jacobian(frame: Airframe, x: np.ndarray, loads: _Loads) -> np.ndarray:
-    """d(dx/dt)/dx by the first nine components, (..., 12, 9), of states (12, ...)."""
+    """The same of states (12, ...).
+
+    tests/oracle/quadrotor_equations.py derives every entry from the laws of motion and prints it.
+    """
     p, q, r, _, _, _, u, v, w, _, _, z = x
     (sin_phi, sin_theta, sin_psi), (cos_phi, cos_theta, cos_psi) = np.sin(x[3:6]), np.cos(x[3:6])
     about_x, about_y, about_z = _gyroscopic(frame)
     g = frame.gravity
     entries = np.zeros((12, CORE, *x.shape[1:]))
-    rates = entries[:3]
-    rates[0, 1], rates[0, 2] = loads.spin_x - about_x * r, -about_x * q
-    rates[1, 0], rates[1, 2] = -loads.spin_y - about_y * r, -about_y * p
-    rates[2, 0], rates[2, 1] = -about_z * q, -about_z * p
-    roll, pitch, yaw = entries[3:6]
-    tilting = cos_phi * q - sin_phi * r
-    yaw[1], yaw[2] = sin_phi / cos_theta, cos_phi / cos_theta
-    yaw[3] = tilting / cos_theta
-    tangent = sin_theta / cos_theta
-    turning = yaw[1] * q + yaw[2] * r
-    yaw[4] = turning * tangent
-    roll[0], roll[1], roll[2] = 1.0, sin_theta * yaw[1], sin_theta * yaw[2]
-    roll[3], roll[4] = sin_theta * yaw[3], turning / cos_theta
-    pitch[1], pitch[2], pitch[3] = cos_phi, -sin_phi, -turning * cos_theta
-    ahead, right, up = entries[6:9]
+    # Body rates: torques, the rotors' spin and the gyroscopic terms.
+    dp, dq, dr = entries[:3]
+    dp[Q], dp[R] = loads.spin_x - about_x * r, -about_x * q
+    dq[P], dq[R] = -loads.spin_y - about_y * r, -about_y * p
+    dr[P], dr[Q] = -about_z * q, -about_z * p
+    # Euler angles; dphi = p + sin(theta) dpsi, so that its row is that of dpsi times sin(theta).
+    dphi, dtheta, dpsi = entries[3:6]
+    dpsi[Q], dpsi[R] = sin_phi / cos_theta, cos_phi / cos_theta
+    dpsi[PHI] = (cos_phi * q - sin_phi * r) / cos_theta
+    turning = dpsi[Q] * q + dpsi[R] * r  # dpsi itself
+    dpsi[THETA] = turning * (sin_theta / cos_theta)
+    dphi[P], dphi[Q], dphi[R] = 1.0, sin_theta * dpsi[Q], sin_theta * dpsi[R]
+    dphi[PHI], dphi[THETA] = sin_theta * dpsi[PHI], turning / cos_theta
+    dtheta[Q], dtheta[R], dtheta[PHI] = cos_phi, -sin_phi, -turning * cos_theta
+    # Body velocity: weight, and the turning of the frame.
+    du, dv, dw = entries[6:9]
     tilted = cos_theta * sin_phi, cos_theta * cos_phi
-    ahead[1], ahead[2], ahead[4], ahead[7], ahead[8] = -w, v, g * cos_theta, r, -q
-    right[0], right[2], right[3], right[4] = w, -u, -g * tilted[1], g * sin_theta * sin_phi
-    right[6], right[8] = -r, p
-    up[0], up[1], up[3], up[4] = -v, u, g * tilted[0], g * sin_theta * cos_phi
-    up[6], up[7] = q, -p
-    x_, y_, z_ = entries[9:12]
+    du[Q], du[R], du[V], du[W] = -w, v, r, -q
+    du[THETA] = g * cos_theta
+    dv[P], dv[R], dv[U], dv[W] = w, -u, -r, p
+    dv[PHI], dv[THETA] = -g * tilted[1], g * sin_theta * sin_phi
+    dw[P], dw[Q], dw[U], dw[V] = -v, u, q, -p
+    dw[PHI], dw[THETA] = g * tilted[0], g * sin_theta * cos_phi
+    # Position: Rz(psi) Ry(theta) Rx(phi) [u v w]', whose columns are d/du, d/dv and d/dw.
+    dx, dy, dz = entries[9:12]
     level, lifted = cos_phi * v - sin_phi * w, sin_phi * v + cos_phi * w
     forward = cos_theta * u + sin_theta * lifted
-    climb = cos_theta * lifted - sin_theta * u
+    climb = cos_theta * lifted - sin_theta * u  # dz itself
     banked = sin_theta * level
-    x_[3], y_[3] = cos_psi * banked + sin_psi * lifted, sin_psi * banked - cos_psi * lifted
-    x_[4], y_[4] = cos_psi * climb, sin_psi * climb
-    x_[5], y_[5] = -sin_psi * forward - cos_psi * level, cos_psi * forward - sin_psi * level
-    x_[6], y_[6] = cos_psi * cos_theta, sin_psi * cos_theta
+    dx[PHI], dy[PHI] = cos_psi * banked + sin_psi * lifted, sin_psi * banked - cos_psi * lifted
+    dx[THETA], dy[THETA] = cos_psi * climb, sin_psi * climb
+    dx[PSI], dy[PSI] = -sin_psi * forward - cos_psi * level, cos_psi * forward - sin_psi * level
+    dx[U], dy[U] = cos_psi * cos_theta, sin_psi * cos_theta
     sideways, upward = sin_theta * sin_phi, sin_theta * cos_phi
-    x_[7], y_[7] = cos_psi * sideways - sin_psi * cos_phi, sin_psi * sideways + cos_psi * cos_phi
-    x_[8], y_[8] = cos_psi * upward + sin_psi * sin_phi, sin_psi * upward - cos_psi * sin_phi
-    z_[3], z_[4], z_[6], z_[7], z_[8] = cos_theta * level, -forward, -sin_theta, *tilted
+    dx[V], dy[V] = cos_psi * sideways - sin_psi * cos_phi, sin_psi * sideways + cos_psi * cos_phi
+    dx[W], dy[W] = cos_psi * upward + sin_psi * sin_phi, sin_psi * upward - cos_psi * sin_phi
+    dz[PHI], dz[THETA], dz[U], dz[V], dz[W] = cos_theta * level, -forward, -sin_theta, *tilted
     if (z <= 0).any():
-        z_ *= ~((z <= 0) & (climb <= 0))
+        dz *= ~((z <= 0) & (climb <= 0))  # the ground
     return np.ascontiguousarray(np.moveaxis(entries, (0, 1), (-2, -1)))

@@ -1,6 +1,6 @@
-"""Target tracking by radar (Zhang, You, Xie 2018, Sec. VI-B, (21), after Singer).
+"""Target tracking by radar [unknown_losses Sec. VI-B, (21)], after Singer (1970).
 
-State (p1, v1, a1, p2, v2, a2): m, m/s, m/s^2 along two axes; the radar stands at the origin.
+State (p1, v1, a1, p2, v2, a2): m, m/s, m/s^2 along two axes; the radar is at the origin.
 """
 
 import numpy as np
@@ -44,7 +44,7 @@ def measurement(x: np.ndarray, bearing: str) -> np.ndarray:
 
 
 def measurement_jacobian(x: np.ndarray) -> Rows:
-    """The linearised measurement equation of Sec. VI-B."""
+    """The linearised measurement equation of Sec. VI-B, two rows."""
     p1, p2 = x[..., 0], x[..., 3]
     inverse = 1.0 / np.maximum(np.sqrt(p1 * p1 + p2 * p2), RANGE_FLOOR)
     cosine, sine = p1 * inverse, p2 * inverse

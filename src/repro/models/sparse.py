@@ -7,13 +7,16 @@ So a kernel that works through the entries pays nothing for zeros, and no produc
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 Rows = Sequence[Mapping[int, float | np.ndarray]]
 
 
-def rows(matrix: np.ndarray) -> Rows:
+def rows(matrix: ArrayLike) -> Rows:
     """Rows of a constant matrix (m, n)."""
-    return [{j: float(entry) for j, entry in enumerate(row) if entry != 0} for row in matrix]
+    return [
+        {j: float(entry) for j, entry in enumerate(row) if entry != 0} for row in np.asarray(matrix)
+    ]
 
 
 def dense(sparse: Rows, batch: tuple[int, ...], columns: int) -> np.ndarray:
@@ -25,8 +28,12 @@ def dense(sparse: Rows, batch: tuple[int, ...], columns: int) -> np.ndarray:
     return matrix
 
 
-def combine(row: Mapping[int, float | np.ndarray], slabs: np.ndarray, out: np.ndarray) -> None:
-    """out = sum of entry * slabs[column], elementwise, always in the same order."""
+def combine(
+    row: Mapping[int, float | np.ndarray],
+    slabs: np.ndarray | Mapping[int, np.ndarray],
+    out: np.ndarray,
+) -> None:
+    """out = sum of entry * slabs[column], elementwise, always in the same order, (...)."""
     ones = [j for j, entry in row.items() if isinstance(entry, float) and entry == 1.0]
     started = False
     for j, entry in row.items():

@@ -1,10 +1,10 @@
-"""Measurement losses that the receiver is not told of (Zhang, You, Xie 2018, (2) and Sec. III-A).
+"""Measurement losses that the receiver is not told of [unknown_losses (2), Sec. III-A].
 
 gamma(k) = 1 if the packet of step k arrives, 0 if it is lost and y(k) = v(k), noise alone.
-Bernoulli losses are the Markov chain (Gilbert-Elliott) whose next state does not need its last.
+Bernoulli losses are the Markov chain (Gilbert-Elliott) whose state does not depend on the last one.
 """
 
-from typing import NamedTuple
+from typing import Literal, NamedTuple, Protocol
 
 import numpy as np
 
@@ -23,13 +23,39 @@ class Losses(NamedTuple):
         return self.after_loss + (self.after_arrival - self.after_loss) * last
 
 
-def losses(parameters: dict) -> Losses:
-    """The chain of a study's parameters; a Markov chain starts in its stationary distribution."""
-    if parameters.loss_process == "Bernoulli":
-        theta = 1 - parameters.loss_probability
-        return Losses(theta, theta, theta)
-    p, q = parameters.loss_after_arrival, parameters.arrival_after_loss
+class LossParameters(Protocol):
+    """The parameters of a study with either kind of losses."""
+
+    @property
+    def loss_process(self) -> Literal["Bernoulli", "Markov"]: ...
+
+    @property
+    def loss_probability(self) -> float: ...
+
+    @property
+    def loss_after_arrival(self) -> float: ...
+
+    @property
+    def arrival_after_loss(self) -> float: ...
+
+
+def bernoulli(loss_probability: float) -> Losses:
+    """Independent losses."""
+    theta = 1 - loss_probability
+    return Losses(theta, theta, theta)
+
+
+def markov(loss_after_arrival: float, arrival_after_loss: float) -> Losses:
+    """p and q of Sec. III-A; the chain starts in its stationary distribution."""
+    p, q = loss_after_arrival, arrival_after_loss
     return Losses(first=q / (p + q), after_loss=q, after_arrival=1 - p)
+
+
+def losses(parameters: LossParameters) -> Losses:
+    """The chain of a study's parameters."""
+    if parameters.loss_process == "Bernoulli":
+        return bernoulli(parameters.loss_probability)
+    return markov(parameters.loss_after_arrival, parameters.arrival_after_loss)
 
 
 def arrivals(uniforms: np.ndarray, chain: Losses) -> np.ndarray:

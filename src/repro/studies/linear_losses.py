@@ -1,8 +1,9 @@
-"""A linear system with unknown measurement losses (Zhang, You, Xie 2018, Sec. VI-A)."""
+"""A linear system with unknown measurement losses [unknown_losses Sec. VI-A]."""
 
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
+from pydantic import Field
 
 from repro.logs import Log
 from repro.models import Model, linear_system
@@ -15,43 +16,87 @@ from repro.parameters.values import (
     PointParameters,
     Positive,
     Probability,
+    Values,
 )
 from repro.statistics import metrics
-from repro.statistics.shards import Shards
-from repro.studies import Rows, Study
+from repro.statistics.runs import Runs
+from repro.statistics.shards import Columns, Shards
+from repro.studies import Fields, Rows, StreamsOf, Study
 
 COMPONENTS = ("x1", "x2")
 
 
 class Parameters(PointParameters):
-    """Values of one point."""
+    """Values of one point; the system has no units."""
 
-    transition_matrix: tuple[Pair, Pair]
-    measurement_row: Pair
-    process_covariance: Covariance2
-    measurement_variance: Positive
-    initial_mean: Pair
-    initial_covariance: Covariance2
-    loss_process: Literal["Bernoulli", "Markov"]
-    loss_probability: Probability
-    loss_after_arrival: Probability
-    arrival_after_loss: Probability
+    transition_matrix: Annotated[tuple[Pair, Pair], Field(description="F of (20)")]
+    measurement_row: Annotated[Pair, Field(description="H of (20)")]
+    process_covariance: Annotated[Covariance2, Field(description="Q")]
+    measurement_variance: Annotated[Positive, Field(description="R")]
+    initial_mean: Annotated[Pair, Field(description="mean of x(0)")]
+    initial_covariance: Annotated[Covariance2, Field(description="covariance of x(0)")]
+    loss_process: Annotated[
+        Literal["Bernoulli", "Markov"], Field(description="whether losses depend on the last one")
+    ]
+    loss_probability: Annotated[
+        Probability, Field(description="Pr(gamma(k) = 0) of Bernoulli losses")
+    ]
+    loss_after_arrival: Annotated[
+        Probability, Field(description="Pr(gamma(k) = 0 | gamma(k-1) = 1) of Markov losses")
+    ]
+    arrival_after_loss: Annotated[
+        Probability, Field(description="Pr(gamma(k) = 1 | gamma(k-1) = 0) of Markov losses")
+    ]
 
 
-def squared_error(runs) -> np.ndarray:
+class Analysis(Values):
+    """Thresholds of the claims."""
+
+    critical_particles: Annotated[
+        int, Field(ge=1, description="particles up to which the RMSE of Fig. 2 falls quickly")
+    ]
+    few_particles: Annotated[
+        int, Field(ge=1, description="particles with which the need for more is measured")
+    ]
+    products_within: Annotated[
+        Positive, Field(description="error of a ratio of operation counts that counts as rounding")
+    ]
+    proportional_within: Annotated[
+        Positive, Field(description="deviation of log10 of a ratio of times from proportionality")
+    ]
+    duplicates_above: Annotated[
+        Probability, Field(description="share of the triples above which most are duplicates")
+    ]
+    limit_nearer_by: Annotated[
+        Positive, Field(description="factor by which more particles bring the RBPF to its limit")
+    ]
+    bounded_within: Annotated[
+        Positive, Field(description="ratio of later to earlier mean squared error if bounded")
+    ]
+
+
+def squared_error(runs: Runs) -> np.ndarray:
     """|x(k) - xh(k|k)|^2, (trials, steps)."""
     return np.vecdot(runs.error, runs.error)
 
 
+def claimed_mean_square(runs: Runs) -> np.ndarray:
+    """Sum of the claimed variances, mean over the steps, (trials,)."""
+    assert runs.claimed is not None
+    return runs.claimed.sum(axis=-1).mean(axis=1)
+
+
 class LinearLosses(Study):
-    """..."""
+    """Error of the whole state over the loss probability and the number of particles.
+
+    [unknown_losses Figs. 1, 2].
+    """
 
     Parameters = Parameters
-    systems_per_block = (
-        10000  # systems, trials times particles: few calls, and their rows stay cached
-    )
+    Analysis = Analysis
+    systems_per_block = 10000  # few calls of NumPy, whose rows stay in the cache
 
-    def topics(self, parameters: Parameters) -> dict[str, tuple[str, ...]]:
+    def topics(self, parameters: Parameters) -> Fields:
         return {
             "/truth": COMPONENTS,
             "/sensor": ("z",),
@@ -62,7 +107,7 @@ class LinearLosses(Study):
     def first_step(self, parameters: Parameters) -> int:
         return 0  # Algorithms 1-3 update with y(0) before any prediction
 
-    def simulate(self, parameters: Parameters, streams) -> dict[str, np.ndarray]:
+    def simulate(self, parameters: Parameters, streams: StreamsOf) -> dict[str, np.ndarray]:
         steps = parameters.steps
         prior = linear_system.root(np.array(parameters.initial_covariance))
         process = linear_system.root(np.array(parameters.process_covariance))
@@ -103,13 +148,14 @@ class LinearLosses(Study):
             arrival=log.field("/network", "gamma")[trials],
         )
 
-    def rows(self, shards: Shards, analysis) -> Rows:
-        rmse_sum = metrics.roots_over_steps(shards.each(squared_error), average=False)
+    def rows(self, shards: Shards, analysis: Analysis) -> Rows:
+        squared = shards.each(squared_error)
+        assert isinstance(squared, Columns)
+        rmse_sum = metrics.roots_over_steps(squared, average=False)
         yield "rmse_sum", "state", metrics.statistic(rmse_sum)
         mean_squared = shards.each(lambda runs: squared_error(runs).mean(axis=1))
         yield "mse", "state", metrics.mean(mean_squared)
-        claimed = shards.each(lambda runs: runs.claimed.sum(axis=-1).mean(axis=1))
-        yield "claimed_mse", "state", metrics.mean(claimed)
+        yield "claimed_mse", "state", metrics.mean(shards.each(claimed_mean_square))
         if "triples" in shards.first.recorded:
             triples = shards.each(lambda runs: runs.recorded["triples"].mean(axis=1))
             yield "triples", "state", metrics.mean(triples)

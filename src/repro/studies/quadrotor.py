@@ -1,6 +1,6 @@
-"""The quadrotor in closed loop (Zhang, You, Xie 2018, Sec. VI-C; Table III, Figs. 6-10)."""
+"""The quadrotor in closed loop [unknown_losses Sec. VI-C, Table III, Figs. 6-10]."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, NoReturn
 
 import numpy as np
 from pydantic import Field
@@ -17,48 +17,86 @@ from repro.parameters.values import (
     Positive,
     Probability,
     Triple,
+    Values,
 )
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
-from repro.studies import ClosedLoop, Rows
+from repro.studies import ClosedLoop, Fields, Rows, StreamsOf
 
 
 class Parameters(PointParameters):
-    """Values of one point."""
+    """Values of one point; [26] is Quad-Sim, on which the paper builds."""
 
-    period: Positive
-    mass: Positive
-    gravity: Positive
-    arm: Positive
-    inertia: tuple[Positive, Positive, Positive]
-    rotor_inertia: NotNegative
-    thrust_coefficient: Positive
-    torque_coefficient: Positive
-    motor_time_constant: Positive
-    motor_slope: Positive
-    motor_offset: float
-    least_throttle: Annotated[float, Field(ge=0, le=100)]
-    velocity_gains: Triple
-    roll_gains: Triple
-    pitch_gains: Triple
-    yaw_gains: Triple
-    altitude_gains: Triple
-    tilt_command_limit_deg: Positive
-    integral_limit: Positive
-    path_times: Annotated[tuple[NotNegative, ...], Field(min_length=2)]
-    path_points: Annotated[tuple[Triple, ...], Field(min_length=2)]
-    path_scale: Positive
-    path_slowness: Positive
-    start_speed: NotNegative
-    measurement_deviations: tuple[Positive, Positive, Positive, Positive]
-    process_deviations: tuple[NotNegative, NotNegative, NotNegative, NotNegative]
-    believed_position_deviation: NotNegative
-    initial_deviations: tuple[NotNegative, NotNegative, NotNegative, NotNegative]
-    loss_process: Literal["Bernoulli"]
-    loss_probability: Probability
-    tumbled_above_deg: Positive
-    left_beyond: Positive
+    period: Annotated[Positive, Field(description="s, of sampling and control")]
+    mass: Annotated[Positive, Field(description="m, kg")]
+    gravity: Annotated[Positive, Field(description="g, m/s^2")]
+    arm: Annotated[Positive, Field(description="d, from the centre to a rotor, m")]
+    inertia: Annotated[tuple[Positive, Positive, Positive], Field(description="Jx, Jy, Jz, kg m^2")]
+    rotor_inertia: Annotated[NotNegative, Field(description="Jm, kg m^2")]
+    thrust_coefficient: Annotated[Positive, Field(description="ct, N/RPM^2")]
+    torque_coefficient: Annotated[Positive, Field(description="cq, N m/RPM^2")]
+    motor_time_constant: Annotated[Positive, Field(description="T, s")]
+    motor_slope: Annotated[Positive, Field(description="cr, RPM/%")]
+    motor_offset: Annotated[float, Field(description="b, RPM")]
+    least_throttle: Annotated[
+        float, Field(ge=0, le=100, description="throttle in % below which a rotor stops")
+    ]
+    velocity_gains: Annotated[
+        Triple, Field(description="proportional, integral, derivative; rad per m/s")
+    ]
+    roll_gains: Annotated[Triple, Field(description="% of throttle per rad, rad s, rad/s")]
+    pitch_gains: Annotated[Triple, Field(description="% of throttle per rad, rad s, rad/s")]
+    yaw_gains: Annotated[Triple, Field(description="% of throttle per rad, rad s, rad/s")]
+    altitude_gains: Annotated[Triple, Field(description="% of throttle per m, m s, m/s")]
+    tilt_command_limit_deg: Annotated[
+        Positive, Field(description="largest commanded roll and pitch, degrees")
+    ]
+    integral_limit: Annotated[Positive, Field(description="of each integral, rad s or m s")]
+    path_times: Annotated[tuple[NotNegative, ...], Field(min_length=2, description="s, ascending")]
+    path_points: Annotated[
+        tuple[Triple, ...], Field(min_length=2, description="X, Y, Z at those times, m")
+    ]
+    path_scale: Annotated[Positive, Field(description="factor of the way-points")]
+    path_slowness: Annotated[Positive, Field(description="factor of their times")]
+    start_speed: Annotated[NotNegative, Field(description="of every rotor, RPM")]
+    measurement_deviations: Annotated[
+        tuple[Positive, Positive, Positive, Positive],
+        Field(description="of rates, angles, velocity, position: deg/s, deg, m/s, m"),
+    ]
+    process_deviations: Annotated[
+        tuple[NotNegative, NotNegative, NotNegative, NotNegative],
+        Field(description="a step, of rates, angles, velocity, position: deg/s, deg, m/s, m"),
+    ]
+    believed_position_deviation: Annotated[
+        NotNegative,
+        Field(description="process noise of the position as the filters have it, m a step"),
+    ]
+    initial_deviations: Annotated[
+        tuple[NotNegative, NotNegative, NotNegative, NotNegative],
+        Field(description="of the filters' start: deg/s, deg, m/s, m"),
+    ]
+    loss_process: Annotated[
+        Literal["Bernoulli"], Field(description="losses do not depend on the last one")
+    ]
+    loss_probability: Annotated[Probability, Field(description="Pr(gamma(k) = 0)")]
+    tumbled_above_deg: Annotated[
+        Positive, Field(description="roll or pitch that ends a flight, degrees")
+    ]
+    left_beyond: Annotated[
+        Positive, Field(description="distance from the origin that ends a flight, beyond 4 Z(0); m")
+    ]
+
+
+class Analysis(Values):
+    """Thresholds of the claims."""
+
+    tracks_within: Annotated[
+        Positive, Field(description="rms distance of a flight on the path, over the true state's")
+    ]
+    close_within: Annotated[
+        Positive, Field(description="rms distance of a close flight, over that without losses")
+    ]
 
 
 def _per_component(deviations: tuple[float, float, float, float]) -> np.ndarray:
@@ -68,11 +106,12 @@ def _per_component(deviations: tuple[float, float, float, float]) -> np.ndarray:
 
 
 def airframe(parameters: Parameters) -> quadrotor.Airframe:
+    """Constants of body and rotors."""
     return quadrotor.Airframe(
         mass=parameters.mass,
         gravity=parameters.gravity,
         arm=parameters.arm,
-        inertia=tuple(parameters.inertia),
+        inertia=parameters.inertia,
         rotor_inertia=parameters.rotor_inertia,
         thrust_coefficient=parameters.thrust_coefficient,
         torque_coefficient=parameters.torque_coefficient,
@@ -80,6 +119,7 @@ def airframe(parameters: Parameters) -> quadrotor.Airframe:
 
 
 def motor(parameters: Parameters) -> quadrotor.Motor:
+    """Constants of the motors."""
     return quadrotor.Motor(
         parameters.motor_time_constant,
         parameters.motor_slope,
@@ -89,6 +129,7 @@ def motor(parameters: Parameters) -> quadrotor.Motor:
 
 
 def controller(parameters: Parameters) -> cascaded_pid.Settings:
+    """Gains and limits in rad, with the throttle that hovers."""
     hover = quadrotor.hover_speed(airframe(parameters))
     return cascaded_pid.Settings(
         velocity=cascaded_pid.Gains(*parameters.velocity_gains),
@@ -126,54 +167,62 @@ def _wrapped(received: np.ndarray, expected: np.ndarray) -> np.ndarray:
     return difference
 
 
-def flying(runs) -> np.ndarray:
+def _needs_rotor_speeds(x: np.ndarray, k: int) -> NoReturn:
+    raise TypeError("the quadrotor moves by its rotor speeds: call `linearised` with them")
+
+
+def flying(runs: Runs) -> np.ndarray:
     """Which steps were flown, (flights, steps)."""
     return np.arange(runs.error.shape[1]) < runs.recorded["end"][:, None]
 
 
-def over_flight(runs, per_step: np.ndarray) -> np.ndarray:
+def over_flight(runs: Runs, per_step: np.ndarray) -> np.ndarray:
     """Mean of (flights, steps) over the steps that were flown, (flights,)."""
     flown = flying(runs)
     return np.where(flown, per_step, 0.0).sum(axis=1) / flown.sum(axis=1)
 
 
-def squared_distance(runs) -> np.ndarray:
+def squared_distance(runs: Runs) -> np.ndarray:
     """Mean squared distance to the reference over each flight, (flights,), in m^2."""
     return over_flight(runs, runs.recorded["distance"] ** 2)
 
 
-def over(runs: Runs) -> np.ndarray:
-    """Which flights tumbled, or left, before the end, (flights,)."""
+def ended(runs: Runs) -> np.ndarray:
+    """Which flights tumbled, or left, before the last step, (flights,)."""
     return runs.recorded["end"] < runs.error.shape[1]
 
 
-def share(runs, of: float) -> np.ndarray:
-    """Share of the steps with gamma = `of` that the filter takes for what they are, (flights,)."""
-    meant = flying(runs) & (runs.recorded["gamma"] == of)
-    right = (runs.recorded["arrived"] > 0.5) == bool(of)
-    return (meant & right).sum(axis=1) / np.maximum(meant.sum(axis=1), 1)
+def detected(runs: Runs, gamma: int) -> np.ndarray:
+    """Share of the steps with this gamma at which the filter infers it, (flights,)."""
+    steps = flying(runs) & (runs.recorded["gamma"] == gamma)
+    right = (runs.recorded["arrived"] > 0.5) == bool(gamma)
+    return (steps & right).sum(axis=1) / np.maximum(steps.sum(axis=1), 1)
 
 
-def squared_error(runs, of: slice) -> np.ndarray:
+def squared_error(runs: Runs, components: slice) -> np.ndarray:
     """Squared error of a kind of components, mean over each flight, (flights,)."""
-    return over_flight(runs, (runs.error[..., of] ** 2).sum(axis=-1))
+    return over_flight(runs, (runs.error[..., components] ** 2).sum(axis=-1))
 
 
-def altitude(runs) -> np.ndarray:
+def altitude(runs: Runs) -> np.ndarray:
     """Mean over each flight, (flights,), in m."""
     return over_flight(runs, runs.recorded["position"][..., 2])
 
 
 class Quadrotor(ClosedLoop):
-    """..."""
+    """Flights along a path on the estimates of each filter, under the same noise and losses.
+
+    [unknown_losses Figs. 8-10].
+    """
 
     Parameters = Parameters
-    systems_per_block = 1200  # systems, flights times particles
+    Analysis = Analysis
+    systems_per_block = 1200
     keeps_inferred_arrivals = True
     keeps_claimed_variance = False  # none of the tables has it
     trajectory = (("x", "y"), ("x", "z"))
 
-    def topics(self, parameters: Parameters) -> dict[str, tuple[str, ...]]:
+    def topics(self, parameters: Parameters) -> Fields:
         """Of the disturbances: what is flown under them depends on the filter."""
         return {
             "/process": tuple(f"w_{name}" for name in STATE),
@@ -187,9 +236,11 @@ class Quadrotor(ClosedLoop):
     def first_step(self, parameters: Parameters) -> int:
         return 0  # y(0) is used: Algorithms 1-3
 
-    def simulate(self, parameters: Parameters, streams) -> dict[str, np.ndarray]:
+    def simulate(self, parameters: Parameters, streams: StreamsOf) -> dict[str, np.ndarray]:
         steps, n = parameters.steps, len(STATE)
-        gamma = losses.arrivals(streams("network").uniform(steps + 1), losses.losses(parameters))
+        gamma = losses.arrivals(
+            streams("network").uniform(steps + 1), losses.bernoulli(parameters.loss_probability)
+        )
         process = _per_component(parameters.process_deviations)
         noise = _per_component(parameters.measurement_deviations)
         return {
@@ -204,15 +255,15 @@ class Quadrotor(ClosedLoop):
         process = _per_component(parameters.process_deviations)
         process[POSITION] = parameters.believed_position_deviation
         return Model(
-            transition=None,
-            transition_jacobian=None,
+            transition=_needs_rotor_speeds,
+            transition_jacobian=_needs_rotor_speeds,
             measurement=lambda x, sensor: x,
             measurement_jacobian=lambda x, sensor: measured,
             process_covariance=np.diag(process**2),
             measurement_covariance=np.diag(_per_component(parameters.measurement_deviations) ** 2),
             initial_mean=_start(parameters),
             initial_covariance=np.diag(_per_component(parameters.initial_deviations) ** 2),
-            network=losses.losses(parameters),
+            network=losses.bernoulli(parameters.loss_probability),
             innovation=_wrapped,
             linearised=lambda x, speeds, k: quadrotor.linearised(frame, x, speeds, step),
         )
@@ -238,9 +289,9 @@ class Quadrotor(ClosedLoop):
             start_speed=parameters.start_speed,
         )
 
-    def flight(self, log: Log, estimate: np.ndarray, runs) -> Log:
+    def flight(self, log: Log, estimate: np.ndarray, runs: Runs) -> Log:
         """The log of what was flown."""
-        path_ = np.broadcast_to(reference(log.parameters), (len(estimate), *estimate.shape[1:2], 4))
+        wanted = reference(log.parameters)
         return log._replace(
             fields={
                 "/truth": STATE,
@@ -249,24 +300,29 @@ class Quadrotor(ClosedLoop):
                 "/reference": ("x", "y", "z", "psi"),
                 "/throttle": tuple(f"motor_{i}" for i in range(1, 5)),
             },
-            values=runs.flown | {"/estimate": estimate, "/reference": path_},
+            values=(runs.flown or {})
+            | {
+                "/estimate": estimate,
+                "/reference": np.broadcast_to(wanted, (len(estimate), *wanted.shape)),
+            },
         )
 
-    def lost(self, runs: Runs, analysis) -> np.ndarray:
-        return over(runs)
+    def lost(self, runs: Runs, analysis: Analysis) -> np.ndarray:
+        """Which flights ended before the last step, (flights,)."""
+        return ended(runs)
 
-    def rows(self, shards: Shards, analysis) -> Rows:
+    def rows(self, shards: Shards, analysis: Analysis) -> Rows:
         yield "rmse", "tracking", metrics.root_mean(shards.each(squared_distance))
         for component, of in (("position", POSITION), ("velocity", VELOCITY), ("angles", ANGLES)):
             squared = shards.each(lambda runs, of=of: squared_error(runs, of))
             yield "rmse", component, metrics.root_mean(squared)
-        yield "tumbled", "flight", metrics.mean(shards.each(over).astype(float))
+        yield "tumbled", "flight", metrics.mean(shards.each(lambda runs: ended(runs).astype(float)))
         end_time = shards.each(lambda runs: runs.recorded["end_time"])
         yield "end_time", "flight", metrics.mean(end_time)
         if "arrived" in shards.first.recorded:
-            for component, of in (("losses", 0), ("arrivals", 1)):
-                detected = shards.each(lambda runs, of=of: share(runs, of))
-                yield "detected", component, metrics.mean(detected)
+            for component, gamma in (("losses", 0), ("arrivals", 1)):
+                shares = shards.each(lambda runs, gamma=gamma: detected(runs, gamma))
+                yield "detected", component, metrics.mean(shares)
         yield "altitude", "Z", metrics.mean(shards.each(altitude))
 
     def curves(self, shards: Shards) -> Rows:

@@ -1,4 +1,4 @@
-"""Radar tracking with unknown measurement losses (Zhang, You, Xie 2018, Sec. VI-B)."""
+"""Radar tracking with unknown measurement losses [unknown_losses Sec. VI-B]."""
 
 from typing import Annotated, Literal
 
@@ -21,34 +21,54 @@ from repro.parameters.values import (
 )
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
-from repro.statistics.shards import Shards
-from repro.studies import Rows, Study
+from repro.statistics.shards import Columns, Shards
+from repro.studies import Fields, Rows, StreamsOf, Study
 
 
 class Parameters(PointParameters):
-    """Values of one point."""
+    """Values of one point; triples are position, velocity and acceleration along each axis."""
 
-    sampling_time: Positive
-    manoeuvre_rate: Positive
-    manoeuvre_deviation: NotNegative
-    range_deviation: Positive
-    bearing_deviation_deg: Positive
-    true_initial_mean: Triple
-    true_initial_state: Literal["drawn", "mean"]
-    initial_estimate: Triple
-    first_measurement: Annotated[int, Field(ge=0, le=1)]
-    known_input: Triple
-    bearing: Literal["atan2, wrapped", "atan2", "arctan"]
-    loss_process: Literal["Bernoulli", "Markov"]
-    loss_probability: Probability
-    loss_after_arrival: Probability
-    arrival_after_loss: Probability
+    sampling_time: Annotated[Positive, Field(description="tau, s")]
+    manoeuvre_rate: Annotated[
+        Positive, Field(description="alpha, reciprocal of the manoeuvre's time constant, 1/s")
+    ]
+    manoeuvre_deviation: Annotated[NotNegative, Field(description="sigma_m, m/s^2")]
+    range_deviation: Annotated[Positive, Field(description="sigma_r, m")]
+    bearing_deviation_deg: Annotated[Positive, Field(description="sigma_phi, degrees")]
+    true_initial_mean: Annotated[Triple, Field(description="mean of the true x(0), m, m/s, m/s^2")]
+    true_initial_state: Annotated[
+        Literal["drawn", "mean"], Field(description="whether each run draws its own x(0)")
+    ]
+    initial_estimate: Annotated[Triple, Field(description="where the filters start, m, m/s, m/s^2")]
+    first_measurement: Annotated[
+        int, Field(ge=0, le=1, description="step of the first measurement that is used")
+    ]
+    known_input: Annotated[Triple, Field(description="u(k) of (21), m, m/s, m/s^2 a step")]
+    bearing: Annotated[
+        Literal["atan2, wrapped", "atan2", "arctan"],
+        Field(description="function of the bearing; wrapped: its innovation lies in [-pi, pi)"),
+    ]
+    loss_process: Annotated[
+        Literal["Bernoulli", "Markov"], Field(description="whether losses depend on the last one")
+    ]
+    loss_probability: Annotated[
+        Probability, Field(description="Pr(gamma(k) = 0) of Bernoulli losses")
+    ]
+    loss_after_arrival: Annotated[
+        Probability, Field(description="Pr(gamma(k) = 0 | gamma(k-1) = 1) of Markov losses")
+    ]
+    arrival_after_loss: Annotated[
+        Probability, Field(description="Pr(gamma(k) = 1 | gamma(k-1) = 0) of Markov losses")
+    ]
 
 
 class Analysis(Values):
-    """When a run has lost its target."""
+    """When a run has lost its target, and which loss probabilities a claim calls large."""
 
     lost_above: Annotated[Positive, Field(description="m, error at the end of a lost run")]
+    large_loss: Annotated[
+        Probability, Field(description="smallest loss probability that counts as large")
+    ]
 
 
 def _measurement(x: np.ndarray, parameters: Parameters) -> np.ndarray:
@@ -59,17 +79,17 @@ def _noise_deviations(parameters: Parameters) -> np.ndarray:
     return np.array([parameters.range_deviation, np.deg2rad(parameters.bearing_deviation_deg)])
 
 
-def _of_both_axes(along: list[float]) -> np.ndarray:
+def _of_both_axes(along: Triple) -> np.ndarray:
     return np.tile(np.array(along, dtype=float), 2)
 
 
 def _covariances(parameters: Parameters) -> tuple[np.ndarray, np.ndarray]:
     """Q and Sigma_0."""
-    period_, deviation = parameters.sampling_time, parameters.range_deviation
+    period, deviation = parameters.sampling_time, parameters.range_deviation
     process = system.process_covariance(
-        period_, parameters.manoeuvre_rate, parameters.manoeuvre_deviation
+        period, parameters.manoeuvre_rate, parameters.manoeuvre_deviation
     )
-    return process, system.initial_covariance(period_, deviation)
+    return process, system.initial_covariance(period, deviation)
 
 
 def squared_distance(error: np.ndarray) -> np.ndarray:
@@ -77,28 +97,26 @@ def squared_distance(error: np.ndarray) -> np.ndarray:
     return error[:, :, 0] ** 2 + error[:, :, 3] ** 2
 
 
-def squared_error(runs) -> np.ndarray:
+def squared_error(runs: Runs) -> np.ndarray:
     """Squared position error at k = 1, 2, ..., (trials, steps), in m^2."""
     return squared_distance(runs.error[:, 1:])
 
 
-def final_error(runs) -> np.ndarray:
+def final_error(runs: Runs) -> np.ndarray:
     """Position error at the last step, (trials,), in m."""
     return np.sqrt(squared_error(runs)[:, -1])
 
 
 class Radar(Study):
-    """..."""
+    """Position error of a target that a radar with losses tracks [unknown_losses Figs. 3-5]."""
 
     Parameters = Parameters
     Analysis = Analysis
-    systems_per_block = (
-        8000  # systems, trials times particles: few calls, and their rows stay cached
-    )
+    systems_per_block = 8000  # few calls of NumPy, whose rows stay in the cache
     keeps_claimed_variance = False  # none of the tables has it
     trajectory = (("p1", "p2"),)
 
-    def topics(self, parameters: Parameters) -> dict[str, tuple[str, ...]]:
+    def topics(self, parameters: Parameters) -> Fields:
         return {
             "/truth": system.STATE,
             "/sensor": ("range", "bearing"),
@@ -112,7 +130,7 @@ class Radar(Study):
     def first_step(self, parameters: Parameters) -> int:
         return parameters.first_measurement
 
-    def simulate(self, parameters: Parameters, streams) -> dict[str, np.ndarray]:
+    def simulate(self, parameters: Parameters, streams: StreamsOf) -> dict[str, np.ndarray]:
         steps, n = parameters.steps, len(system.STATE)
         process, prior = _covariances(parameters)
         x0 = np.matvec(linear_system.root(prior), streams("prior").standard_normal(n))
@@ -162,9 +180,10 @@ class Radar(Study):
         """Which runs end without the target, (trials,)."""
         return final_error(runs) > analysis.lost_above
 
-    def rows(self, shards: Shards, analysis) -> Rows:
-        rmse = metrics.roots_over_steps(shards.each(squared_error))
-        yield "rmse", "position", metrics.statistic(rmse)
+    def rows(self, shards: Shards, analysis: Analysis) -> Rows:
+        squared = shards.each(squared_error)
+        assert isinstance(squared, Columns)
+        yield "rmse", "position", metrics.statistic(metrics.roots_over_steps(squared))
         yield "final_error", "position", metrics.mean(shards.each(final_error))
         if "triples" in shards.first.recorded:
             triples = shards.each(lambda runs: runs.recorded["triples"][:, 1:].mean(axis=1))

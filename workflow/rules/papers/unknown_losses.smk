@@ -1,4 +1,4 @@
-# What only this paper has: operations of one iteration of each filter, counted (its Table I).
+# What only this paper has: the operations of one iteration of each filter, counted: its Table I.
 COMPUTED_TABLES["unknown_losses"].append("complexity")
 
 
@@ -10,9 +10,9 @@ rule complexity:
     conda:
         ENVIRONMENT
     params:
-        n=6,
-        m=2,
+        # Table I holds for any system; the counts are taken on the radar's, with its particles.
+        parameters=STUDIES["radar"]["loss=0.5"].parameters.plain(),
         particles=STUDIES["radar"]["loss=0.5"].filters["rbpf"]["particles"],
-        code=code("repro.papers.unknown_losses.operation_counts"),
+        code=code("repro.papers.unknown_losses.operation_counts", "repro.studies.radar"),
     script:
         "../../scripts/papers/complexity.py"

@@ -1,4 +1,7 @@
-"""Extended Kalman filter that weighs each measurement by what it knows or infers of its loss."""
+"""Extended Kalman filter that weighs each measurement by what it knows or infers of its loss.
+
+Equations are those of [unknown_losses].
+"""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -8,40 +11,49 @@ import numpy as np
 from repro.filters import Filter
 from repro.filters.families import kalman
 from repro.models import Model
+from repro.network.channels import Seen
+from repro.streams import Streams
+
+Evidence = Callable[[], np.ndarray]  # log N(e; 0, S) - log N(y; 0, R), (trials,)
+# The weight of y(k) in the update, (trials,) or one for all, and what to keep of gamma(k).
+Weighed = tuple[Any, Any]
+Weigh = Callable[[Seen, Evidence, Any], Weighed]  # (seen, evidence, what was kept of gamma(k-1))
 
 
 class State(NamedTuple):
+    """What the filter keeps of step k."""
+
     estimate: np.ndarray  # xh(k|k), (n, trials)
     covariance: np.ndarray  # Sigma(k|k), packed, (n (n + 1) / 2, trials)
     last: Any  # what the filter keeps of gamma(k), (trials,); None before the first packet
     weight: Any = 0.0  # of y(k) in the update, (trials,) or one for all
 
 
-def build(model: Model, weigh: Callable, spread: bool = False, channel: str = "received") -> Filter:
-    """`channel` is the one that the measurements come from.
+def build(model: Model, weigh: Weigh, spread: bool = False, channel: str = "received") -> Filter:
+    """The filter on the measurements of a channel.
 
-    `weigh(seen, evidence, last)` gives the weight of y(k) in the update, and the next `last`.
-
-    1 takes y(k) for a measurement and 0 leaves it. evidence() is log N(e; 0, S) - log N(y; 0, R).
-    With `spread` the weight is a probability, and the spread of the two means is added.
+    A weight of 1 uses y(k) as a measurement, and 0 ignores it. With `spread` the weight is a
+    probability, and the spread of the means with and without y(k) is added to the covariance.
     """
     n, m = len(model.initial_mean), len(model.measurement_covariance)
     of_noise = kalman.noise_log_likelihood(model)
 
-    def init(streams):
+    def init(streams: Streams) -> State:
         return State(*kalman.start(model, len(streams)), last=None)
 
-    def predict(state, k, known_input):
+    def predict(
+        state: State, k: int, known_input: np.ndarray | None
+    ) -> tuple[np.ndarray, np.ndarray]:
         if k == 0:  # the first measurement of a study that starts with an update
             return state.estimate.copy(), state.covariance.copy()
         return kalman.predict(model, state.estimate, state.covariance, k - 1, known_input)  # (5)
 
-    def step(state, k, seen):
+    def step(state: State, k: int, seen: Seen) -> State:
         estimate, covariance = predict(state, k, seen.input)
         received = getattr(seen, channel).reshape(-1, m)
         innovation = kalman.innovate(model, estimate, covariance, received, seen.sensor)
 
-        def evidence():
+        def evidence() -> np.ndarray:
             return kalman.log_likelihood(innovation) - of_noise(received)
 
         weight, last = weigh(seen, evidence, state.last)

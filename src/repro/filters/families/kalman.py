@@ -30,7 +30,7 @@ _upper = cache(np.triu_indices)
 
 
 @cache
-def _places(n: int) -> np.ndarray:
+def packed_places(n: int) -> np.ndarray:
     """Place of each entry (i, j) of a symmetric matrix in its packed triangle, (n, n)."""
     upper = _upper(n)
     places = np.zeros((n, n), dtype=np.intp)
@@ -41,7 +41,7 @@ def _places(n: int) -> np.ndarray:
 
 def _unpacked(packed: np.ndarray, n: int) -> np.ndarray:
     """The matrices, (systems, n, n)."""
-    return np.ascontiguousarray(packed.T).take(_places(n), axis=1)
+    return np.ascontiguousarray(packed.T).take(packed_places(n), axis=1)
 
 
 def _packed(matrices: np.ndarray) -> np.ndarray:
@@ -53,25 +53,31 @@ def _packed(matrices: np.ndarray) -> np.ndarray:
 
 def diagonal(packed: np.ndarray, n: int) -> np.ndarray:
     """Diagonal of packed matrices, (n, systems)."""
-    return packed[np.diagonal(_places(n))]
+    return packed[np.diagonal(packed_places(n))]
 
 
 def start(model: Model, systems: int) -> tuple[np.ndarray, np.ndarray]:
     """The initial estimate and its packed covariance for every system."""
     covariance = model.initial_covariance[_upper(len(model.initial_mean))]
-    return tuple(
+    mean, packed = (
         np.repeat(values[:, None], systems, axis=1) for values in (model.initial_mean, covariance)
     )
+    return mean, packed
 
 
 def predict(
-    model: Model, estimate: np.ndarray, covariance: np.ndarray, k: int, known_input=None
+    model: Model,
+    estimate: np.ndarray,
+    covariance: np.ndarray,
+    k: int,
+    known_input: np.ndarray | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
     """xh(k+1|k) = f(xh(k|k)) and A Sigma A' + Q with A = f'(xh(k|k)), in new arrays.
 
     The known input u(k), (systems, inputs), is None where the model has none.
     """
     if known_input is not None:
+        assert model.linearised is not None
         predicted, jacobian = model.linearised(estimate.T, known_input, k)
         moved = jacobian @ _unpacked(covariance, len(estimate)) @ jacobian.swapaxes(-2, -1)
         packed = _packed(moved)
@@ -80,7 +86,7 @@ def predict(
     jacobian = model.transition_jacobian(estimate.T, k)
     predicted = np.ascontiguousarray(model.transition(estimate.T, k).T)
     n = len(jacobian)
-    places, noise = _places(n), model.process_covariance
+    places, noise = packed_places(n), model.process_covariance
     packed = np.empty_like(covariance)
     product = np.empty_like(estimate)  # a row of A Sigma
     for i, row in enumerate(jacobian):
@@ -102,7 +108,7 @@ def innovate(
     values = np.ascontiguousarray(model.innovation(received, model.measurement(state, sensor)).T)
     jacobian = model.measurement_jacobian(state, sensor)
     m, n, noise = len(jacobian), len(predicted), model.measurement_covariance
-    places = _places(n)
+    places = packed_places(n)
     rows = np.empty((m, *predicted.shape))
     s = np.zeros((m, m, predicted.shape[1]))
     for i, row in enumerate(jacobian):  # C Sigma
@@ -139,7 +145,7 @@ def noise_log_likelihood(model: Model) -> Callable[[np.ndarray], np.ndarray]:
     noise = model.measurement_covariance
     inverse, (_, log_determinant) = np.linalg.inv(noise), np.linalg.slogdet(noise)
 
-    def of_noise(received):
+    def of_noise(received: np.ndarray) -> np.ndarray:
         return -0.5 * (log_determinant + np.vecdot(np.vecmat(received, inverse), received))
 
     return of_noise
@@ -173,7 +179,9 @@ def correct(
     return estimate, covariance
 
 
-def _correct_by_component(estimate, covariance, innovation, shares):
+def _correct_by_component(
+    estimate: np.ndarray, covariance: np.ndarray, innovation: Innovation, shares: np.ndarray
+) -> None:
     for row, share, value in zip(innovation.rows, shares, innovation.values, strict=True):
         gain = row * share
         estimate += gain * value

@@ -1,4 +1,7 @@
-"""Figures 6 and 7 of Zhang, You, Xie 2018: the quadrotor and its loop, drawn."""
+"""[unknown_losses Figs. 6, 7]: the quadrotor and its loop, drawn."""
+
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -8,6 +11,7 @@ from matplotlib.patches import Circle, FancyArrowPatch, FancyBboxPatch
 from repro.plot import style
 
 BODY, EARTH, PLANT = style.COLOURS[0], "0.25", style.COLOURS[2]
+Place = Sequence[float] | np.ndarray  # x and y in the drawing
 VIEW = np.array([[-0.62, -0.45], [0.93, -0.20], [0.0, 0.90]])  # directions of x, y, z on the paper
 
 
@@ -16,18 +20,31 @@ def _seen(points: np.ndarray) -> np.ndarray:
     return points @ VIEW
 
 
-def _arrow(axes: Axes, start, end, colour: str, width: float = 1.6) -> None:
-    look = {"arrowstyle": "-|>", "mutation_scale": 12, "shrinkA": 0, "shrinkB": 0}
-    axes.add_patch(FancyArrowPatch(start, end, color=colour, lw=width, zorder=6, **look))
+def _arrow(axes: Axes, start: Place, end: Place, colour: str, width: float = 1.6) -> None:
+    look: dict[str, Any] = {"arrowstyle": "-|>", "mutation_scale": 12, "shrinkA": 0, "shrinkB": 0}
+    axes.add_patch(
+        FancyArrowPatch(
+            (start[0], start[1]), (end[0], end[1]), color=colour, lw=width, zorder=6, **look
+        )
+    )
 
 
-def _text(axes: Axes, place, text: str, colour: str = "black", size: float = 9.5) -> None:
-    axes.text(*place, text, color=colour, ha="center", va="center", fontsize=size, zorder=7)
+def _text(axes: Axes, place: Place, text: str, colour: str = "black", size: float = 9.5) -> None:
+    axes.text(
+        place[0], place[1], text, color=colour, ha="center", va="center", fontsize=size, zorder=7
+    )
 
 
-def _turn(axes: Axes, centre, axis: int, radius: float, degrees, colour: str) -> None:
+def _turn(
+    axes: Axes,
+    centre: np.ndarray,
+    axis: int,
+    radius: float,
+    degrees: tuple[float, float],
+    colour: str,
+) -> None:
     """An arrow turning about an axis (0, 1, 2), positive if the angles rise, as seen in space."""
-    angles = np.deg2rad(np.linspace(*degrees, 40))
+    angles = np.deg2rad(np.linspace(degrees[0], degrees[1], 40))
     circle = np.zeros((40, 3))
     circle[:, (axis + 1) % 3], circle[:, (axis + 2) % 3] = np.cos(angles), np.sin(angles)
     arc = _seen(np.array(centre) + radius * circle)
@@ -35,7 +52,9 @@ def _turn(axes: Axes, centre, axis: int, radius: float, degrees, colour: str) ->
     _arrow(axes, arc[-4], arc[-1], colour, width=1.3)
 
 
-def _frame(axes: Axes, origin, length: float, names, colour: str) -> None:
+def _frame(
+    axes: Axes, origin: np.ndarray, length: float, names: tuple[str, str, str], colour: str
+) -> None:
     for direction, name in zip(np.eye(3), names, strict=True):
         start, end = _seen(origin), _seen(origin + length * direction)
         _arrow(axes, start, end, colour)
@@ -56,10 +75,10 @@ def quadrotor() -> Figure:
         sense = (70, -60) if number in (2, 4) else (-60, 70)
         _turn(axes, tip, 2, 0.48, sense, style.COLOURS[1])
         lift = _seen(np.stack([tip, np.add(tip, (0, 0, 0.75))]))
-        _arrow(axes, *lift, "0.5", width=1.2)
+        _arrow(axes, lift[0], lift[1], "0.5", width=1.2)
         _text(axes, np.add(lift[1], (0, 0.13)), f"$F_{number}$", "0.35")
         _text(axes, np.add(_seen(tip), (-0.25, 0.12)), rf"$\omega_{number}$", style.COLOURS[1], 11)
-    axes.add_patch(Circle(_seen(centre), 0.14, facecolor="0.3", edgecolor="black", zorder=5))
+    axes.add_patch(Circle((0.0, 0.0), 0.14, facecolor="0.3", edgecolor="black", zorder=5))
     _frame(axes, centre, 3.0, ("x, U", "y, V", "z, W"), BODY)
     turns = ((r"$\phi$, P", (0.3, -0.28)), (r"$\theta$, Q", (0.1, 0.42)), (r"$\psi$, R", (0.55, 0)))
     for axis, (name, beside) in enumerate(turns):
@@ -72,25 +91,35 @@ def quadrotor() -> Figure:
     _text(axes, np.add(_seen(origin), (0.25, -0.55)), "inertial frame", EARTH)
     _text(axes, np.add(_seen(origin / 2), (-0.35, 0.22)), "[X, Y, Z]", EARTH)
     weight = _seen(np.stack([centre, centre - [0, 0, 1.0]]))
-    _arrow(axes, *weight, "0.5", width=1.2)
+    _arrow(axes, weight[0], weight[1], "0.5", width=1.2)
     _text(axes, np.add(weight[1], (0.25, 0.0)), "m g", "0.35")
     axes.set(aspect="equal")
     axes.autoscale_view()
     return drawn
 
 
-def _box(axes: Axes, x: float, y: float, text: str, colour: str = BODY, width=1.5):
+def _box(axes: Axes, x: float, y: float, text: str, colour: str = BODY, width: float = 1.5) -> None:
     corner, height = (x - width / 2, y - 0.45), 0.9
-    look = {"boxstyle": "round,pad=0.02,rounding_size=0.08", "facecolor": "white", "lw": 1.5}
+    look: dict[str, Any] = {
+        "boxstyle": "round,pad=0.02,rounding_size=0.08",
+        "facecolor": "white",
+        "lw": 1.5,
+    }
     axes.add_patch(FancyBboxPatch(corner, width, height, edgecolor=colour, zorder=3, **look))
     _text(axes, (x, y), text, size=8.5)
 
 
-def _wire(axes: Axes, points, text: str = "", at=(0, 0), colour: str = "black") -> None:
+def _wire(
+    axes: Axes,
+    points: list[tuple[float, float]],
+    text: str = "",
+    at: Place = (0, 0),
+    colour: str = "black",
+) -> None:
     """A line through points that ends in an arrow."""
-    points = np.array(points, dtype=float)
-    axes.plot(*points[:-1].T, color=colour, lw=1.2, zorder=2)
-    _arrow(axes, points[-2], points[-1], colour, width=1.2)
+    corners = np.array(points, dtype=float)
+    axes.plot(*corners[:-1].T, color=colour, lw=1.2, zorder=2)
+    _arrow(axes, corners[-2], corners[-1], colour, width=1.2)
     _text(axes, at, text, colour, 8.5)
 
 

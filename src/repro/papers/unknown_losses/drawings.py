@@ -1,10 +1,14 @@
-"""Figures 1-5 of Zhang, You, Xie 2018: filters that do not know which measurement is lost."""
+"""[unknown_losses Figs. 1-5]: filters that do not know which measurement is lost."""
+
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from repro.papers.unknown_losses.points import particle_sweeps, proposed_filters, swept
 from repro.plot import style
 from repro.plot.sweep import BAND, sweep
 from repro.studies import radar
@@ -14,16 +18,6 @@ LINEAR = {"ekf": "KF (losses ignored)", "iekf": "IKF (losses known)"}
 RADAR = {"iekf": "IEKF (losses known)"}
 SHOWN = ("iekf", "bkf_1", "bkf_2", "rbpf")  # the filters of Figs. 3-5
 STYLES = ("-", "--", ":")
-PERIOD = 0.01  # s
-
-
-def swept(results: Results, study: str) -> dict[float, str]:
-    """The points of a sweep over p, by p."""
-    return {
-        float(point.removeprefix("loss=")): point
-        for point in results.catalogue[study]
-        if point.startswith("loss=")
-    }
 
 
 def rows_of(table: pd.DataFrame, metric: str, filter_: str) -> pd.DataFrame:
@@ -31,21 +25,28 @@ def rows_of(table: pd.DataFrame, metric: str, filter_: str) -> pd.DataFrame:
     return table[(table["metric"] == metric) & (table["filter"] == filter_)].set_index("point")
 
 
+def _sum_over_steps(results: Results, point: str) -> str:
+    """Title of the axis of the sum of RMSE_k."""
+    return f"sum of RMSE$_k$ over {results.parameters('linear_losses', point).steps} steps"
+
+
 def error_over_p(results: Results) -> Figure:
     """Fig. 1, and beside it the same relative to the IKF, where the three can be told apart."""
-    study, points = "linear_losses", swept(results, "linear_losses")
+    study, points = "linear_losses", swept(results.catalogue, "linear_losses")
+    first = next(iter(points.values()))
     drawn, (axes, ratio) = style.figure(1, 2, size=(9.4, 4.0))
     sweep(axes, results, study, points, "rmse_sum", "state", LINEAR)
     table = results.table(study)
     best = rows_of(table, "rmse_sum", "iekf").loc[list(points.values()), "value"]
-    for filter_ in ("bkf_1", "bkf_2", "rbpf"):
-        own = rows_of(table, "rmse_sum", filter_).loc[list(points.values()), "value"]
+    for filter_ in proposed_filters(results.catalogue, study, first):
+        rmse = rows_of(table, "rmse_sum", filter_).loc[list(points.values()), "value"]
         look = style.look(results.catalogue, study, filter_)
-        ratio.plot(list(points), own / best, ms=4, lw=1.3, label=style.label(filter_), **look)
+        ratio.plot(list(points), rmse / best, ms=4, lw=1.3, label=style.label(filter_), **look)
     ratio.axhline(1.0, color=style.look(results.catalogue, study, "iekf")["color"], lw=1.3)
-    trials = int(table.set_index("point").loc["loss=0.5", "trials"].iloc[0])
+    trials = int(table.set_index("point").loc[first, "trials"].iloc[0])
     axes.set(
-        ylabel="sum of RMSE$_k$ over 200 steps", title=f"{trials} runs; bands ±2 standard errors"
+        ylabel=_sum_over_steps(results, first),
+        title=f"{trials} runs; bands ±{BAND} standard errors",
     )
     ratio.set(ylabel="the same, relative to the IKF", title="what not knowing the losses costs")
     for part in (axes, ratio):
@@ -59,16 +60,17 @@ def particles_needed(results: Results, times: pd.DataFrame) -> Figure:
     """Fig. 2: time of an iteration, RMSE and number of distinct triples over N."""
     drawn, (clock, error, triples) = style.figure(1, 3, size=(11.5, 3.9))
     table = results.table("linear_losses")
-    for p, line in zip((0.3, 0.5), STYLES, strict=False):
+    sweeps = particle_sweeps(results.catalogue)
+    numbers: list[int] = []
+    label = ""
+    for (p, of_numbers), line in zip(sweeps.items(), STYLES, strict=False):
         for filter_ in ("rbpf", "rbpf_fast"):
             look = style.look(results.catalogue, "linear_losses", filter_)
             taken = times[(times["filter"] == filter_) & (times["loss"] == p)]
-            label = f"{style.label(filter_)}, p = {p}"
-            clock.plot(
-                taken["particles"], taken["microseconds"], ls=line, ms=4, label=label, **look
-            )
-        numbers = sorted(times["particles"].unique())
-        points = [f"particles={n}-loss={p}" for n in numbers]
+            name = f"{style.label(filter_)}, p = {p}"
+            clock.plot(taken["particles"], taken["microseconds"], ls=line, ms=4, label=name, **look)
+        numbers, points = list(of_numbers), list(of_numbers.values())
+        label = _sum_over_steps(results, points[0])
         rows = rows_of(table, "rmse_sum", "rbpf").loc[points]
         look = style.look(results.catalogue, "linear_losses", "rbpf")
         error.errorbar(
@@ -80,7 +82,7 @@ def particles_needed(results: Results, times: pd.DataFrame) -> Figure:
     triples.plot(numbers, numbers, color="black", lw=0.8, label="all different")
     clock.set(yscale="log", ylabel="time of an iteration in µs")
     clock.set_title(times["machine"].iloc[0].replace("; ", "\n"), fontsize=8)
-    error.set(ylabel="sum of RMSE$_k$ over 200 steps", yscale="log")
+    error.set(ylabel=label, yscale="log")
     error.set_yticks([450, 500, 600, 800, 1200], ["450", "500", "600", "800", "1200"], minor=False)
     error.set_yticks([], minor=True)
     triples.set(yscale="log", ylabel="distinct triples of Algorithm 4")
@@ -91,13 +93,14 @@ def particles_needed(results: Results, times: pd.DataFrame) -> Figure:
 
 
 def _over_time(
-    axes: Axes, results: Results, curves: pd.DataFrame, p: float, line: str, median: bool
+    axes: Axes, results: Results, curves: pd.DataFrame, point: str, line: str, median: bool
 ) -> None:
+    period = results.parameters("radar", point).sampling_time
     for filter_ in SHOWN:
-        look = style.look(results.catalogue, "radar", filter_) | {"marker": ""}
-        rows = curves[(curves["point"] == f"loss={p}") & (curves["filter"] == filter_)]
+        look: dict[str, Any] = style.look(results.catalogue, "radar", filter_) | {"marker": ""}
+        rows = curves[(curves["point"] == point) & (curves["filter"] == filter_)]
         rows = rows[rows["k"] > 0]
-        time = rows["k"] * PERIOD
+        time = rows["k"] * period
         name = RADAR.get(filter_, style.label(filter_))
         axes.plot(time, rows["value"], ls=line, lw=1.4, label=name, **look)
         # The error of the logarithm, for a logarithmic axis.
@@ -110,34 +113,38 @@ def _over_time(
     axes.label_outer()
 
 
-def error_over_time(results: Results, losses: tuple[float, ...]) -> Figure:
-    """Fig. 3: one panel a loss probability, with the medians of the single runs."""
+def _at_p(results: Results, point: str) -> str:
+    return f"p = {results.parameters('radar', point).loss_probability}"
+
+
+def error_over_time(results: Results, points: Sequence[str]) -> Figure:
+    """Fig. 3: one panel a point, with the medians of the single runs."""
     curves = results.curves("radar")
     drawn, grid = style.figure(2, 2, size=(8.6, 6.6), sharex=True, sharey=True)
-    for axes, p in zip(grid.flat, losses, strict=True):
-        _over_time(axes, results, curves, p, "-", median=True)
-        axes.set_title(f"p = {p}")
+    for axes, point in zip(grid.flat, points, strict=True):
+        _over_time(axes, results, curves, point, "-", median=True)
+        axes.set_title(_at_p(results, point))
     grid.flat[0].plot([], [], "k:", label="median of the runs")
     grid.flat[0].legend(fontsize=7.5)
     return drawn
 
 
-def error_over_time_together(results: Results, losses: tuple[float, ...]) -> Figure:
-    """Fig. 4: several loss probabilities on one axis."""
+def error_over_time_together(results: Results, points: Sequence[str]) -> Figure:
+    """Fig. 4: several points on one axis."""
     curves = results.curves("radar")
     drawn, axes = style.figure(size=(7.4, 5.0))
-    for p, line in zip(losses, STYLES, strict=True):
-        _over_time(axes, results, curves, p, line, median=False)
+    for point, line in zip(points, STYLES, strict=True):
+        _over_time(axes, results, curves, point, line, median=False)
     handles, labels = axes.get_legend_handles_labels()
     first = axes.legend(handles[: len(SHOWN)], labels[: len(SHOWN)], fontsize=8, loc="lower right")
     axes.add_artist(first)
     lines = [axes.plot([], [], color="black", ls=line)[0] for line in STYLES]
-    axes.legend(lines, [f"p = {p}" for p in losses], fontsize=8, loc="upper left")
+    axes.legend(lines, [_at_p(results, p) for p in points], fontsize=8, loc="upper left")
     return drawn
 
 
 def typical_trial(results: Results, point: str) -> int:
-    """The run in which the RBPF's last error is the median of all runs."""
+    """The number of the run in which the RBPF's last error is the median of all runs."""
     error = radar.final_error(results.runs("radar", point, "rbpf"))
     return int(np.argsort(error, kind="stable")[len(error) // 2])
 
@@ -145,12 +152,12 @@ def typical_trial(results: Results, point: str) -> int:
 def tracks(results: Results, point: str) -> Figure:
     """Figs. 5a-c: true and estimated positions of a typical run, its errors and the median ones."""
     trial = typical_trial(results, point)
-    log = results.log("radar", point)
+    log, analysis = results.log("radar", point), results.analysis("radar")
     truth = log.values["/truth"][trial]
     received = log.field("/network", "gamma")[trial]
     drawn, (plane, axes) = style.figure(1, 2, size=(9.6, 4.4))
     plane.plot(truth[:, 0], truth[:, 3], color="black", lw=2.2, label="true", zorder=3)
-    time = np.arange(1, len(truth)) * PERIOD
+    time = np.arange(1, len(truth)) * log.parameters.sampling_time
     ends = []
     for filter_, width in zip(SHOWN, (3.4, 2.6, 1.8, 1.0), strict=True):  # equal ones stay visible
         runs = results.runs("radar", point, filter_)
@@ -161,7 +168,8 @@ def tracks(results: Results, point: str) -> Figure:
         error = np.sqrt(radar.squared_error(runs))
         axes.plot(time, error[trial], color=look["color"], lw=width)
         axes.plot(time, np.median(error, axis=0), color=look["color"], lw=1.0, ls=":")
-        ends.append(f"{name.split(' (')[0]} {radar.lost(runs).mean():.0%}")
+        lost = radar.STUDY.lost(runs, analysis).mean()
+        ends.append(f"{name.split(' (')[0]} {lost:.0%}")
     plane.plot(0, 0, "^", color="0.4", label="radar")
     plane.plot(*truth[0, [0, 3]], "o", color="black", mfc="none", label="start")
     plane.set(xlabel="first coordinate in m", ylabel="second coordinate in m", aspect="equal")
@@ -175,5 +183,8 @@ def tracks(results: Results, point: str) -> Figure:
         axes.axvline(time[k], ymax=0.03, color="black", lw=0.8)
     axes.plot([], [], color="black", lw=0.8, label="packet received (ticks below)")
     axes.legend(fontsize=7.5)
-    axes.set_title("share of all runs that end > 100 m off:\n" + ", ".join(ends), fontsize=8)
+    axes.set_title(
+        f"share of all runs that end > {analysis.lost_above:g} m off:\n" + ", ".join(ends),
+        fontsize=8,
+    )
     return drawn

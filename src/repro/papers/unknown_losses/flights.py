@@ -1,4 +1,7 @@
-"""Figures 8-10 of Zhang, You, Xie 2018: flights on the filters' estimates."""
+"""[unknown_losses Figs. 8-10]: flights on the filters' estimates."""
+
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -25,7 +28,7 @@ def _name(filter_: str) -> str:
     return NAMES.get(filter_, style.label(filter_))
 
 
-def _line(results: Results, filter_: str) -> dict:
+def _line(results: Results, filter_: str) -> dict[str, Any]:
     return {"color": style.look(results.catalogue, STUDY, filter_)["color"]} | LINES[filter_]
 
 
@@ -41,7 +44,8 @@ def in_space(results: Results, point: str) -> Figure:
     log = results.log(STUDY, point)
     path = quadrotor.reference(log.parameters)
     drawn = style.pyplot.figure(figsize=(10.6, 5.0))
-    space, above = drawn.add_subplot(1, 2, 1, projection="3d"), drawn.add_subplot(1, 2, 2)
+    space: Any = drawn.add_subplot(1, 2, 1, projection="3d")  # its stubs refuse zoom=0.88
+    above = drawn.add_subplot(1, 2, 2)
     space.plot(*path[:, :3].T, color="black", lw=2, label="reference path")
     above.plot(*path[:, :2].T, color="black", lw=2)
     for filter_ in LINES:
@@ -92,13 +96,13 @@ def over_time(results: Results, point: str) -> Figure:
     return drawn
 
 
-def _band(axes: Axes, time: np.ndarray, distance: np.ndarray, look: dict) -> None:
+def _band(axes: Axes, time: np.ndarray, distance: np.ndarray, look: dict[str, Any]) -> None:
     low, middle, high = np.quantile(distance, (0.1, 0.5, 0.9), axis=0)
     axes.plot(time, middle, **look)
     axes.fill_between(time, low, high, color=look["color"], alpha=0.08, lw=0)
 
 
-def ignoring_losses(results: Results, points: tuple[str, ...]) -> Figure:
+def ignoring_losses(results: Results, points: Sequence[str]) -> Figure:
     """Fig. 10: tracking error of the EKF that ignores the losses, one panel a point."""
     drawn, grid = style.figure(1, len(points), size=(5.0 * len(points), 4.2))
     for axes, point in zip(grid, points, strict=True):
@@ -117,18 +121,19 @@ def ignoring_losses(results: Results, points: tuple[str, ...]) -> Figure:
         axes.plot(time, bound, color=style.COLOURS[0], lw=1.4, label="EKF (no losses), median")
         axes.plot([], [], color=IGNORING, lw=1.6, label=f"losses ignored, flight {typical}")
         axes.plot([], [], color="0.7", lw=0.5, label=f"losses ignored, all {len(end)} flights")
-        over = quadrotor.lost(runs)
-        if over.any():
-            axes.plot([], [], "x", color="red", label=f"flight ended ({over.sum()} of {len(over)})")
+        ended = quadrotor.ended(runs)
+        if ended.any():
+            label = f"flight ended ({ended.sum()} of {len(ended)})"
+            axes.plot([], [], "x", color="red", label=label)
         axes.set(xlabel="time in s", ylabel="distance to the reference in m", title=point)
         _expected_bias(axes, parameters)
-        if over.any():
+        if ended.any():
             axes.set(yscale="log", ylim=(0.5, None))
         axes.legend(fontsize=7.5)
     return drawn
 
 
-def _expected_bias(axes: Axes, parameters: dict) -> None:
+def _expected_bias(axes: Axes, parameters: quadrotor.Parameters) -> None:
     """Where the loop settles if it does: the estimate (1 - p) Z at the command."""
     p = parameters.loss_probability
     altitude = quadrotor.reference(parameters)[0, 2]

@@ -1,4 +1,4 @@
-"""Claims of Zhang, You, Xie 2018, Sections V and VI (Figures 1-5, 8-10 and their text)."""
+"""Claims of unknown_losses, Sections IV to VI with Figures 1-5 and 8-10."""
 
 from repro.papers.unknown_losses.claims import linear_losses, quadrotor, radar
 from repro.verdicts.claims import Claim

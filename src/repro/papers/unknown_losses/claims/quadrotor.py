@@ -1,29 +1,46 @@
-"""Claims on the quadrotor in closed loop (Zhang, You, Xie 2018, Sec. VI-C, Figs. 8-10)."""
+"""Claims on the quadrotor in closed loop [unknown_losses Sec. VI-C, Figs. 8-10]."""
+
+from collections.abc import Iterator
 
 import numpy as np
 
+from repro.papers.unknown_losses.points import proposed_filters
 from repro.studies import quadrotor
+from repro.studies.quadrotor import Analysis
 from repro.tables.results import Results
-from repro.verdicts.claims import Claim, claim, most, smaller
+from repro.verdicts.claims import Claim, Part, claim, most, smaller
 
 CLAIMS: list[Claim] = []
-PAPERS_FILTERS = ("bkf_1", "bkf_2", "rbpf_fast")  # the RBPF by its Algorithm 4
-POINTS = ("nominal", "far")
-TRACKS_WITHIN = 2.0  # times the rms distance of the flight on the true state
-CLOSE_WITHIN = 1.25  # times that of the flight on the EKF without losses
+STUDY = "quadrotor"
+
+
+def thresholds(results: Results) -> Analysis:
+    """Of the claims below."""
+    return results.analysis(STUDY)
 
 
 def distance(results: Results, point: str, filter_: str) -> np.ndarray:
     """rms distance to the reference over each flight, (flights,), in m."""
-    return np.sqrt(results.each("quadrotor", point, filter_, quadrotor.squared_distance))
+    squared = results.each(STUDY, point, filter_, quadrotor.squared_distance)
+    assert isinstance(squared, np.ndarray)
+    return np.sqrt(squared)
 
 
-def over(results: Results, point: str, filter_: str) -> np.ndarray:
-    """Which flights were ended before their time, (flights,)."""
-    return results.each("quadrotor", point, filter_, quadrotor.lost)
+def ended(results: Results, point: str, filter_: str) -> np.ndarray:
+    """Which flights tumbled, or left, before the last step, (flights,)."""
+    flights = results.each(STUDY, point, filter_, quadrotor.ended)
+    assert isinstance(flights, np.ndarray)
+    return flights
 
 
-def within(results: Results, factor: float, other: str):
+def flights(results: Results) -> Iterator[tuple[str, str]]:
+    """Point and name of each of the paper's filters."""
+    for point in results.catalogue[STUDY]:
+        for name in proposed_filters(results.catalogue, STUDY, point):
+            yield point, name
+
+
+def within(results: Results, factor: float, other: str) -> list[Part]:
     """Each of the paper's filters is at most `factor` times as far from the path as `other`."""
     return [
         smaller(
@@ -31,48 +48,63 @@ def within(results: Results, factor: float, other: str):
             distance(results, point, name),
             factor * distance(results, point, other),
         )
-        for point in POINTS
-        for name in PAPERS_FILTERS
+        for point, name in flights(results)
     ]
 
 
-@claim(CLAIMS, "B-C13 tracks", "Figs. 8-9: BKF-I, BKF-II and RBPF fly the path")
-def filters_track(results):
+@claim(CLAIMS, "filters-fly-the-path", "Figs. 8-9: BKF-I, BKF-II and RBPF fly the path")
+def filters_track(results: Results) -> list[Part]:
     flown = [
-        most(f"{point}, {name}: flies to the end", ~over(results, point, name))
-        for point in POINTS
-        for name in PAPERS_FILTERS
+        most(f"{point}, {name}: flies to the end", ~ended(results, point, name))
+        for point, name in flights(results)
     ]
-    return [*flown, *within(results, TRACKS_WITHIN, "true_state")]
+    return [*flown, *within(results, thresholds(results).tracks_within, "true_state")]
 
 
-@claim(CLAIMS, "B-C13 close", "Figs. 8-9: they come close to the EKF without losses")
-def filters_come_close(results):
-    return within(results, CLOSE_WITHIN, "ekf_no_loss")
+@claim(
+    CLAIMS,
+    "filters-close-to-ekf-without-losses",
+    "Figs. 8-9: the flights on BKF-I, BKF-II and RBPF come close to that without losses",
+)
+def filters_come_close(results: Results) -> list[Part]:
+    return within(results, thresholds(results).close_within, "ekf_no_loss")
 
 
-@claim(CLAIMS, "B-C14", "Text: the EKF that ignores the losses cannot follow the path")
-def ignoring_losses_fails(results):
+@claim(
+    CLAIMS,
+    "ignoring-losses-misses-path",
+    "Sec. VI-C: on the EKF that ignores the losses the quadrotor cannot follow the path",
+)
+def ignoring_losses_fails(results: Results) -> list[Part]:
+    factor = thresholds(results).tracks_within
     return [
         smaller(
-            f"{point}: {TRACKS_WITHIN:g} times the rms distance without losses - its own",
-            TRACKS_WITHIN * distance(results, point, "ekf_no_loss"),
+            f"{point}: {factor:g} times the rms distance without losses - that of ekf",
+            factor * distance(results, point, "ekf_no_loss"),
             distance(results, point, "ekf"),
         )
-        for point in POINTS
+        for point in results.catalogue[STUDY]
     ]
 
 
-def diverges(results: Results, point: str):
+def diverges(results: Results, point: str) -> list[Part]:
     """Most flights are ended, because the quadrotor tumbles or leaves."""
-    return [most(f"{point}: flights ended", over(results, point, "ekf"))]
+    return [most(f"{point}: flights ended", ended(results, point, "ekf"))]
 
 
-@claim(CLAIMS, "B-C15 nominal", "Fig. 10: its tracking error diverges (the path of [26])")
-def diverges_near(results):
+@claim(
+    CLAIMS,
+    "ignoring-losses-diverges-nominal",
+    "Fig. 10: if losses are ignored the tracking error diverges, on the path of [26]",
+)
+def diverges_near(results: Results) -> list[Part]:
     return diverges(results, "nominal")
 
 
-@claim(CLAIMS, "B-C15 far", "Fig. 10: its tracking error diverges (path 100 times as large)")
-def diverges_far(results):
+@claim(
+    CLAIMS,
+    "ignoring-losses-diverges-far",
+    "Fig. 10: if losses are ignored the tracking error diverges, on the far path",
+)
+def diverges_far(results: Results) -> list[Part]:
     return diverges(results, "far")

@@ -1,135 +1,200 @@
-"""Claims of Zhang, You, Xie 2018 on radar tracking (Sections V-A, VI-B; Figures 3-5)."""
+"""Claims on radar tracking [unknown_losses Sec. V-A, VI-B, Figs. 3-5]."""
 
+from collections.abc import Iterable
 from itertools import pairwise
 
 import numpy as np
 
+from repro.papers.unknown_losses.points import proposed_filters, rbpf_of, swept
 from repro.statistics.shards import Columns
 from repro.studies import radar
+from repro.studies.radar import Analysis
 from repro.tables.results import Results
 from repro.verdicts.claims import Claim, Part, claim, most, smaller
 from repro.verdicts.rmse import negative, smaller_rmse
 
 CLAIMS: list[Claim] = []
-RADAR_P = (0.1, 0.3, 0.5, 0.7, 0.8, 0.9)
-LARGE_P = (0.7, 0.8, 0.9)
-PAPERS_FILTERS = ("bkf_1", "bkf_2", "rbpf")
+STUDY = "radar"
+TRACKS = {0.5: "loss=0.5", 0.7: "loss=0.7"}  # of Figs. 5a and 5b
+POOR_START, GOOD_START = "poor-loss=0.9", "loss=0.9"  # of Fig. 5c, and what it is compared with
+
+
+def thresholds(results: Results) -> Analysis:
+    """Of the claims below."""
+    return results.analysis(STUDY)
 
 
 def tracking(results: Results, point: str, filter_: str) -> Columns:
-    """Squared position error of every run and step."""
-    return results.each("radar", point, filter_, radar.squared_error)
+    """Squared position error of every run and step, in m^2."""
+    squared = results.each(STUDY, point, filter_, radar.squared_error)
+    assert isinstance(squared, Columns)
+    return squared
 
 
-def points(results: Results, losses) -> list[tuple[str, str]]:
-    """Points of the radar at these p, the one with most runs at each, and its RBPF."""
-    known = results.catalogue["radar"]
-    return [
-        (f"pooled-loss={p}", "rbpf_fast") if f"pooled-loss={p}" in known else (f"loss={p}", "rbpf")
-        for p in losses
-    ]
+def proposed(results: Results) -> tuple[str, ...]:
+    """The paper's filters, as they run over the loss probability."""
+    return proposed_filters(results.catalogue, STUDY, GOOD_START)
+
+
+def losses(results: Results) -> list[float]:
+    """The loss probabilities of Figs. 3-4, ascending."""
+    return list(swept(results.catalogue, STUDY))
+
+
+def most_runs_at(results: Results, probabilities: Iterable[float]) -> list[str]:
+    """The point with most runs at each loss probability: the pooled one where there is one."""
+    points = swept(results.catalogue, STUDY) | swept(results.catalogue, STUDY, "pooled-loss=")
+    return [points[p] for p in probabilities]
 
 
 def on_average(results: Results, first: str, second: str) -> list[Part]:
     """`first` has the smaller RMSE, averaged over the steps and over p."""
-    squared = [tracking(results, f"loss={p}", name) for p in RADAR_P for name in (first, second)]
+    points = swept(results.catalogue, STUDY).values()
+    squared = [tracking(results, point, name) for point in points for name in (first, second)]
 
     def difference(*values):
-        return sum(values[::2]) / len(RADAR_P) - sum(values[1::2]) / len(RADAR_P)
+        return sum(values[::2]) / len(points) - sum(values[1::2]) / len(points)
 
     return [negative(f"mean over p: {first} - {second}", difference, *squared, average=True)]
 
 
-def tracked_better(results: Results, first: str, second: str, losses) -> list[Part]:
+def tracked_better(
+    results: Results, first: str, second: str, probabilities: Iterable[float]
+) -> list[Part]:
     """`first` has the smaller mean over the steps of RMSE_k."""
     parts = []
-    for point, rbpf in points(results, losses):
-        names = [rbpf if name == "rbpf" else name for name in (first, second)]
-        runs = [tracking(results, point, name) for name in names]
+    for point in most_runs_at(results, probabilities):
+        rbpf = rbpf_of(results.catalogue, STUDY, point)
+        runs = [
+            tracking(results, point, rbpf if name == "rbpf" else name) for name in (first, second)
+        ]
         parts.append(smaller_rmse(f"{point}: {first} - {second}", *runs, average=True))
     return parts
 
 
-@claim(CLAIMS, "B-C7", "Figs. 3-4: the RBPF generally has a smaller RMSE than BKF-I and BKF-II")
-def rbpf_beats_bkf(results):
+@claim(
+    CLAIMS,
+    "rbpf-below-bkf-on-average",
+    "Figs. 3-4: averaged over p, the RBPF has a smaller RMSE than BKF-I and BKF-II",
+)
+def rbpf_beats_bkf(results: Results) -> list[Part]:
     return on_average(results, "rbpf", "bkf_1") + on_average(results, "rbpf", "bkf_2")
 
 
-@claim(CLAIMS, "B-C7 every p", "Figs. 3-4: it has at every p")
-def rbpf_beats_bkf_at_every_p(results):
+@claim(
+    CLAIMS,
+    "rbpf-below-bkf-at-every-p",
+    "Figs. 3-4: at every p the RBPF has a smaller RMSE than BKF-I and BKF-II",
+)
+def rbpf_beats_bkf_at_every_p(results: Results) -> list[Part]:
     return [
         part
         for name in ("bkf_1", "bkf_2")
-        for part in tracked_better(results, "rbpf", name, RADAR_P)
+        for part in tracked_better(results, "rbpf", name, losses(results))
     ]
 
 
-@claim(CLAIMS, "B-C8", "Figs. 3-4: BKF-I appears to have a smaller RMSE than BKF-II")
-def bkf_1_beats_bkf_2(results):
+@claim(
+    CLAIMS,
+    "bkf-1-below-bkf-2-on-average",
+    "Figs. 3-4: averaged over p, BKF-I has a smaller RMSE than BKF-II",
+)
+def bkf_1_beats_bkf_2(results: Results) -> list[Part]:
     return on_average(results, "bkf_1", "bkf_2")
 
 
-@claim(CLAIMS, "B-C8 every p", "Figs. 3-4: it has at every p")
-def bkf_1_beats_bkf_2_at_every_p(results):
-    return tracked_better(results, "bkf_1", "bkf_2", RADAR_P)
+@claim(
+    CLAIMS,
+    "bkf-1-below-bkf-2-at-every-p",
+    "Figs. 3-4: at every p BKF-I has a smaller RMSE than BKF-II",
+)
+def bkf_1_beats_bkf_2_at_every_p(results: Results) -> list[Part]:
+    return tracked_better(results, "bkf_1", "bkf_2", losses(results))
 
 
-@claim(CLAIMS, "B-C9", "Figs. 3-4: the RMSE of every filter grows with p")
-def rmse_grows_with_p(results):
+@claim(CLAIMS, "rmse-grows-with-p", "Figs. 3-4: the RMSE of every filter grows with p")
+def rmse_grows_with_p(results: Results) -> list[Part]:
+    points = swept(results.catalogue, STUDY)
     return [
         smaller_rmse(
             f"{name}: p={low} - p={high}",
-            tracking(results, f"loss={low}", name),
-            tracking(results, f"loss={high}", name),
+            tracking(results, points[low], name),
+            tracking(results, points[high], name),
             average=True,
         )
-        for name in ("iekf", *PAPERS_FILTERS)
-        for low, high in pairwise(RADAR_P)
+        for name in ("iekf", *proposed(results))
+        for low, high in pairwise(points)
     ]
 
 
-@claim(CLAIMS, "B-C10 RBPF", "Figs. 3-4: for large p the RBPF has a smaller RMSE than the IEKF")
-def rbpf_beats_iekf(results):
-    return tracked_better(results, "rbpf", "iekf", LARGE_P)
+@claim(
+    CLAIMS,
+    "rbpf-below-iekf-at-large-p",
+    "Figs. 3-4: at large p the RBPF has a smaller RMSE than the IEKF",
+)
+def rbpf_beats_iekf(results: Results) -> list[Part]:
+    large = [p for p in losses(results) if p >= thresholds(results).large_loss]
+    return tracked_better(results, "rbpf", "iekf", large)
 
 
-@claim(CLAIMS, "B-C10 BKF", "Sec. V-A: the IEKF usually has a smaller RMSE than BKF-I and BKF-II")
-def iekf_beats_bkf(results):
+@claim(
+    CLAIMS,
+    "iekf-below-bkf-on-average",
+    "Sec. V-A: averaged over p, the IEKF has a smaller RMSE than BKF-I and BKF-II",
+)
+def iekf_beats_bkf(results: Results) -> list[Part]:
     return on_average(results, "iekf", "bkf_1") + on_average(results, "iekf", "bkf_2")
 
 
 def lost(results: Results, point: str, filter_: str) -> np.ndarray:
-    """Which runs end more than 100 m from the target, (trials,)."""
-    return results.each("radar", point, filter_, radar.lost)
+    """Which runs end without the target, (trials,)."""
+    analysis = thresholds(results)
+    runs = results.each(STUDY, point, filter_, lambda runs: radar.STUDY.lost(runs, analysis))
+    assert isinstance(runs, np.ndarray)
+    return runs
 
 
-@claim(CLAIMS, "B-C11 well", "Fig. 5a, b: at p = 0.5 and 0.7 the filters follow the target")
-def tracks_are_followed(results):
+@claim(
+    CLAIMS,
+    "filters-follow-target",
+    "Figs. 5a, b: at p = 0.5 and 0.7 BKF-I, BKF-II and RBPF follow the target",
+)
+def tracks_are_followed(results: Results) -> list[Part]:
+    bound = thresholds(results).lost_above
     return [
-        most(f"p={p}, {name}: ends within 100 m", ~lost(results, f"loss={p}", name))
-        for p in (0.5, 0.7)
-        for name in PAPERS_FILTERS
+        most(f"p={p}, {name}: ends within {bound:g} m", ~lost(results, point, name))
+        for p, point in TRACKS.items()
+        for name in proposed(results)
     ]
 
 
-@claim(CLAIMS, "B-C11 lower p", "Fig. 5a, b: they follow it better at the lower p")
-def lower_p_is_followed_better(results):
+@claim(
+    CLAIMS,
+    "lower-p-followed-better",
+    "Figs. 5a, b: BKF-I, BKF-II and RBPF follow the target better at the lower p",
+)
+def lower_p_is_followed_better(results: Results) -> list[Part]:
+    low, high = sorted(TRACKS)
     return [
         smaller(
-            f"{name}: share of lost runs at p=0.5 - p=0.7",
-            lost(results, "loss=0.5", name).astype(float),
-            lost(results, "loss=0.7", name).astype(float),
+            f"{name}: share of lost runs at p={low} - p={high}",
+            lost(results, TRACKS[low], name).astype(float),
+            lost(results, TRACKS[high], name).astype(float),
         )
-        for name in PAPERS_FILTERS
+        for name in proposed(results)
     ]
 
 
-@claim(CLAIMS, "B-C12", "Fig. 5c: at p = 0.9 from a poor start every filter fails, the IEKF too")
-def poor_start_fails(results):
-    parts = []
-    for name in ("iekf", *PAPERS_FILTERS):
-        poor, good = (lost(results, point, name) for point in ("poor-loss=0.9", "loss=0.9"))
-        parts.append(most(f"{name}: ends more than 100 m off", poor))
+@claim(
+    CLAIMS,
+    "poor-start-loses-target",
+    "Fig. 5c: at p = 0.9 every filter, the IEKF too, loses the target from a poor start",
+)
+def poor_start_fails(results: Results) -> list[Part]:
+    parts, bound = [], thresholds(results).lost_above
+    for name in ("iekf", *proposed(results)):
+        poor, good = (lost(results, point, name) for point in (POOR_START, GOOD_START))
+        parts.append(most(f"{name}: ends more than {bound:g} m off", poor))
         parts.append(
             smaller(
                 f"{name}: share of lost runs, good start - poor start",

@@ -1,0 +1,36 @@
+"""The filters and points that the paper's figures compare, found in the catalogue of the run."""
+
+import re
+
+from repro.tables.results import Catalogue
+
+SWEEP = "loss="
+PARTICLES = re.compile(r"particles=(\d+)-loss=([\d.]+)")
+
+
+def swept(catalogue: Catalogue, study: str, prefix: str = SWEEP) -> dict[float, str]:
+    """Loss probability -> point, of the points that are named `prefix` and the probability."""
+    return {
+        float(point.removeprefix(prefix)): point
+        for point in catalogue[study]
+        if point.startswith(prefix)
+    }
+
+
+def particle_sweeps(catalogue: Catalogue) -> dict[float, dict[int, str]]:
+    """Loss probability -> number of particles -> point, of Fig. 2."""
+    sweeps: dict[float, dict[int, str]] = {}
+    for point in catalogue["linear_losses"]:
+        if named := PARTICLES.fullmatch(point):
+            sweeps.setdefault(float(named[2]), {})[int(named[1])] = point
+    return sweeps
+
+
+def rbpf_of(catalogue: Catalogue, study: str, point: str) -> str:
+    """The RBPF of a point: by Algorithm 4 where Algorithm 3, of the same results, does not run."""
+    return "rbpf" if "rbpf" in catalogue[study][point] else "rbpf_fast"
+
+
+def proposed_filters(catalogue: Catalogue, study: str, point: str) -> tuple[str, ...]:
+    """The three filters that the paper proposes, as they run on a point."""
+    return ("bkf_1", "bkf_2", rbpf_of(catalogue, study, point))
