@@ -7,7 +7,7 @@ import pandas as pd
 
 from repro import plugins
 from repro.errors import ReproError
-from repro.logs import read_foreign
+from repro.logs import read_user_log
 from repro.run import run
 from repro.studies import ClosedLoop, Study
 from repro.tables.csv_file import write_csv
@@ -22,7 +22,7 @@ def run_user_log(log_path: str, user_log: dict, name: str, path: str | Path) -> 
     scenario = open_loop(study)
     parameters = scenario.Parameters.checked(user_log["parameters"], f"{study}: parameters")
     fields = scenario.topics(parameters)
-    log = read_foreign(log_path, fields, study, user_log["point"], parameters)
+    log = read_user_log(log_path, fields, study, user_log["point"], parameters)
     estimate, runs = run(log, name, user_log["settings"])
     trials, steps, n = estimate.shape
     states = fields["/truth"]
