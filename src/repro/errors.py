@@ -7,7 +7,7 @@ import numpy as np
 
 
 class ReproError(Exception):
-    """Bad input. Its text is one line: the file, the key or topic, the cause and the mend."""
+    """Bad input. Its text is one line: the file, the key or topic, the cause and the fix."""
 
     def __init__(self, text: str):
         super().__init__(" ".join(text.splitlines()))
@@ -19,4 +19,4 @@ def computing(what: str) -> Iterator[None]:
     try:
         yield
     except (ArithmeticError, np.linalg.LinAlgError) as error:
-        raise ReproError(f"{what}: {error}: mend the parameters or settings") from error
+        raise ReproError(f"{what}: {error}: fix the parameters or settings") from error

@@ -1,6 +1,8 @@
 """A filter on a log recorded elsewhere: estimates, and errors where the log has the truth."""
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -13,10 +15,13 @@ from repro.studies import ClosedLoop, Study
 from repro.tables.csv_file import write_csv
 
 
-def run_user_log(log_path: str, user_log: dict, name: str, path: str | Path) -> None:
-    """Write trial, k, the estimate of every state component and, if known, its error.
+def run_user_log(
+    log_path: str | Path, user_log: Mapping[str, Any], name: str, path: str | Path
+) -> None:
+    """Write trial, k, the estimate of every state component and, if the log has /truth, its error.
 
-    `user_log` has `study`, `point`, the point's `parameters` and the filter's `settings`.
+    `user_log` has `study`, `point`, the point's `parameters` and the filter's `settings`. Raises
+    ReproError if the log or the filter does not fit the study.
     """
     study = user_log["study"]
     scenario = open_loop(study)
