@@ -18,7 +18,7 @@ import pandas as pd
 from repro.logs import Log
 from repro.papers.unknown_losses.claims.linear_losses import TIMES
 from repro.parameters.load import load_paper
-from repro.run import run
+from repro.runner import run
 from repro.simulate import simulated
 from repro.studies import linear_losses
 

@@ -17,7 +17,7 @@ from repro.logs import Log
 from repro.models import Model
 from repro.models.sparse import dense
 from repro.parameters.load import load_paper
-from repro.run import run
+from repro.runner import run
 from repro.simulate import simulated
 
 ROOT = Path(__file__).parent.parent

@@ -20,7 +20,7 @@ import numpy as np
 from repro.filters.families import particle_filter
 from repro.models.coupled_targets import SignalStrength, log_squared_distance
 from repro.parameters.load import load_paper
-from repro.run import run
+from repro.runner import run
 from repro.simulate import simulated
 from repro.streams import Streams
 

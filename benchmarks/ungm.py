@@ -20,7 +20,7 @@ from repro.logs import Log
 from repro.models import ungm
 from repro.network.energy_harvesting import transmission_probability
 from repro.parameters.load import load_paper
-from repro.run import run
+from repro.runner import run
 from repro.simulate import simulated
 
 ROOT = Path(__file__).parent.parent

@@ -1,4 +1,4 @@
-"""Results that stand in their place complete, or not at all."""
+"""Result files that appear complete, or not at all."""
 
 import os
 from collections.abc import Iterator
@@ -16,7 +16,7 @@ def check_writable(folder: str | Path) -> None:
     if not (there.is_dir() and os.access(there, os.W_OK | os.X_OK)):
         raise ReproError(
             f"{there}: not a folder that can be written, as {folder} asks for; "
-            "mend it, or write elsewhere with --config into=FOLDER"
+            "fix it, or write elsewhere with --config into=FOLDER"
         )
 
 
@@ -24,9 +24,8 @@ def check_writable(folder: str | Path) -> None:
 def atomic_write(path: str | Path) -> Iterator[Path]:
     """A path to write a result to, which takes its name at the end of the block.
 
-    Each process has a part of its own: a job that outlives a killed run, or the node that a cluster
-    takes for lost, cannot spoil its successor.
-    An OSError in writing names the result.
+    Each process writes to a temporary file of its own, so that a job that outlives a killed run, or
+    a node that the cluster has given up, cannot spoil its successor. An OSError names the result.
     """
     path = Path(path)
     part = path.with_name(f".{os.uname().nodename}.{os.getpid()}.{path.name}")

@@ -1,6 +1,10 @@
-"""Where each result lies under results/. Rules, jobs and pages take every path from here."""
+"""Where each result is, under results/. Rules, jobs and pages take every path from here."""
 
 from pathlib import Path
+
+# Study -> point -> the filters that run on it, in the order of their rules.
+Catalogue = dict[str, dict[str, list[str]]]
+Number = int | str  # of a shard or trial; a wildcard in the rules
 
 
 class Layout:
@@ -12,15 +16,19 @@ class Layout:
     def _at(self, *parts: object) -> str:
         return str(self.root.joinpath(*map(str, parts)))
 
-    def log(self, study="{study}", point="{point}", shard="{shard}") -> str:
+    def log(self, study="{study}", point="{point}", shard: Number = "{shard}") -> str:
         """Truth and impaired measurements of a shard of trials."""
         return self._at("logs", study, point, f"{shard}.mcap")
 
-    def run(self, study="{study}", point="{point}", filter_="{filter}", shard="{shard}") -> str:
+    def run(
+        self, study="{study}", point="{point}", filter_="{filter}", shard: Number = "{shard}"
+    ) -> str:
         """Errors of a filter on a log."""
         return self._at("runs", study, point, filter_, f"{shard}.npz")
 
-    def flight(self, study="{study}", point="{point}", filter_="{filter}", shard="{shard}") -> str:
+    def flight(
+        self, study="{study}", point="{point}", filter_="{filter}", shard: Number = "{shard}"
+    ) -> str:
         """What was flown on a filter's estimates, in a closed loop."""
         return self._at("flights", study, point, filter_, f"{shard}.mcap")
 
@@ -48,22 +56,27 @@ class Layout:
         """Every comparison behind the claims of a paper."""
         return self._at("claims", f"{paper}.csv")
 
-    def view(self, study="{study}", point="{point}", trial="{trial}") -> str:
+    def view(self, study="{study}", point="{point}", trial: Number = "{trial}") -> str:
         """One trial to look into, without its ending."""
         return self._at("views", study, point, f"trial-{trial}")
 
     def user_estimates(self, filter_="{filter}") -> str:
         """Estimates of a filter on a log recorded elsewhere."""
-        return self._at("own", f"{filter_}.csv")
+        return self._at("user_log", f"{filter_}.csv")
 
     def page(self, name: str) -> str:
         """A single file of the whole run: diff.csv, manifest.json ..."""
         return self._at(name)
 
     def job_log(self, *parts: str) -> str:
-        """Log of a job: its usage, or the one line of its fault."""
+        """Log of a job: its usage, or its error in one line."""
         return self._at("job_logs", *parts) + ".log"
 
     def timing(self, *parts: str) -> str:
-        """Snakemake's benchmark file of a job; `job_log` of the same parts belongs to it."""
+        """Snakemake's benchmark file of a job; the same parts give its `job_log`."""
         return self._at("timings", *parts) + ".tsv"
+
+    def timed_jobs(self) -> list[tuple[str, ...]]:
+        """Parts of every job that has left a `timing`, the name of its rule first."""
+        files = sorted(Path(self._at("timings")).rglob("*.tsv"))
+        return [file.relative_to(self._at("timings")).with_suffix("").parts for file in files]

@@ -2,12 +2,15 @@
 
 from importlib import import_module
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from repro.errors import ReproError
 
+if TYPE_CHECKING:  # the studies import this module
+    from repro.studies import Study
 
-def study(name: str):
+
+def study(name: str) -> "Study":
     """The STUDY of repro.studies.<name>. Raises ReproError if there is none."""
     return _member("study", f"repro.studies.{name}", ("STUDY",)).STUDY
 

@@ -5,7 +5,7 @@ import pytest
 
 from repro import plugins
 from repro.network.channels import ALWAYS_SEEN
-from repro.run import run
+from repro.runner import run
 from tests.conftest import points, registered, small_log
 
 FILTERS = [pytest.param(*entry, id=f"{entry[0]}-{entry[1]}") for entry in registered()]

@@ -9,7 +9,7 @@ from scipy.stats import norm
 from repro.filters.families import particle_filter, protocol_particles
 from repro.network.censoring import censored
 from repro.parameters.settings import ProtocolParticles
-from repro.run import run
+from repro.runner import run
 from repro.streams import Streams
 from repro.studies.deadband import STUDY
 from repro.studies.families.censored_network import squared_distance

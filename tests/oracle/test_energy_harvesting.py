@@ -12,7 +12,7 @@ from repro.network.energy_harvesting import EnergyQueue
 from repro.network.saturation import Saturation, saturated
 from repro.parameters.load import load_paper
 from repro.parameters.settings import Bootstrap
-from repro.run import run
+from repro.runner import run
 from repro.simulate import simulated
 from repro.streams import Streams
 from tests.conftest import ROOT

@@ -6,7 +6,7 @@ from scipy import stats
 from repro import plugins
 from repro.models import ungm
 from repro.network import energy_harvesting
-from repro.run import run
+from repro.runner import run
 from tests.oracle.test_energy_harvesting import BOOTSTRAP, PI_1, log_of
 
 GRID = np.arange(-20.0, 70.0, 0.06)

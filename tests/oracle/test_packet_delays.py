@@ -8,7 +8,7 @@ from repro.filters import best_in_form, emvf, genie, intermittent_kf, nahi, omvf
 from repro.filters.families import second_moments
 from repro.network.packet_delays import mean_weights
 from repro.parameters.settings import MinimumVariance
-from repro.run import run
+from repro.runner import run
 from repro.studies import linear_delays
 from repro.studies.wsn_tracking import position_error
 from tests.conftest import points, small_log

@@ -10,7 +10,7 @@ from repro import plugins
 from repro.filters import Filter
 from repro.logs import read_log
 from repro.models import quadrotor as model
-from repro.run import run, run_filter
+from repro.runner import run, run_filter
 from repro.simulate import simulate, simulated
 from repro.statistics.shards import Shards
 from repro.studies import quadrotor as study

@@ -10,7 +10,7 @@ from scipy.stats import multivariate_normal
 from repro import plugins
 from repro.models.sparse import dense
 from repro.papers.unknown_losses import operation_counts
-from repro.run import run
+from repro.runner import run
 from tests.conftest import points, small_log
 
 RBPF = points()["linear_losses"]["loss=0.5"].filters["rbpf"]

@@ -1,4 +1,4 @@
-"""A result stands in its place complete, or not at all."""
+"""A result file appears complete, or not at all."""
 
 import pytest
 

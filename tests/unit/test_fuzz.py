@@ -10,13 +10,13 @@ import yaml
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from mcap.writer import Writer
+from repro.parameters.validation import validate
 
 from repro.errors import ReproError
-from repro.logs import read_foreign, read_log, write_log
+from repro.logs import read_log, read_user_log, write_log
 from repro.parameters.load import load_paper, load_run
-from repro.parameters.validation import validate
 from repro.parameters.yaml_file import read_yaml
-from repro.run import run_filter
+from repro.runner import run_filter
 from repro.simulate import simulate
 from tests.conftest import ROOT, SEED, points, registered, small_log
 
@@ -168,7 +168,9 @@ def test_a_log_with_pieces_replaced(changes, tmp_path):
         data = data[:start] + piece + data[start + length :]
     path.write_bytes(data)
     refused_in_one_line(lambda: read_log(path), "0.mcap")
-    refused_in_one_line(lambda: read_foreign(path, LOG.fields, STUDY, POINT, {}), "0.mcap")
+    refused_in_one_line(
+        lambda: read_user_log(path, LOG.fields, STUDY, POINT, LOG.parameters), "0.mcap"
+    )
 
 
 @FUZZ
@@ -181,8 +183,8 @@ def test_a_log_with_pieces_replaced(changes, tmp_path):
         max_size=6,
     )
 )
-def test_a_foreign_log_of_any_json(rows, tmp_path):
-    path = tmp_path / "own.mcap"
+def test_a_user_log_of_any_json(rows, tmp_path):
+    path = tmp_path / "user.mcap"
     with path.open("wb") as stream:
         writer = Writer(stream)
         writer.start()
@@ -190,8 +192,10 @@ def test_a_foreign_log_of_any_json(rows, tmp_path):
         for time, (topic, row) in enumerate(rows):
             writer.add_message(channels[topic], time, json.dumps(row, default=str).encode(), time)
         writer.finish()
-    refused_in_one_line(lambda: read_foreign(path, LOG.fields, STUDY, POINT, {}), "own.mcap")
-    refused_in_one_line(lambda: read_log(path), "own.mcap")
+    refused_in_one_line(
+        lambda: read_user_log(path, LOG.fields, STUDY, POINT, LOG.parameters), "user.mcap"
+    )
+    refused_in_one_line(lambda: read_log(path), "user.mcap")
 
 
 @FUZZ
@@ -202,8 +206,8 @@ def test_a_foreign_log_of_any_json(rows, tmp_path):
     ).map("".join),
     payload=st.binary(max_size=40),
 )
-def test_a_foreign_log_of_any_schema(text, payload, tmp_path):
-    path = tmp_path / "own.mcap"
+def test_a_user_log_of_any_schema(text, payload, tmp_path):
+    path = tmp_path / "user.mcap"
     with path.open("wb") as stream:
         writer = Writer(stream)
         writer.start()
@@ -212,5 +216,7 @@ def test_a_foreign_log_of_any_schema(text, payload, tmp_path):
             channel = writer.register_channel(topic, "cdr", schema)
             writer.add_message(channel, 0, payload, 0)
         writer.finish()
-    refused_in_one_line(lambda: read_foreign(path, LOG.fields, STUDY, POINT, {}), "own.mcap")
-    refused_in_one_line(lambda: read_log(path), "own.mcap")
+    refused_in_one_line(
+        lambda: read_user_log(path, LOG.fields, STUDY, POINT, LOG.parameters), "user.mcap"
+    )
+    refused_in_one_line(lambda: read_log(path), "user.mcap")

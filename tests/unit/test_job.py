@@ -13,7 +13,7 @@ def test_usage_is_logged(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("fault", "said"),
+    ("fault", "message"),
     [
         (ReproError("a.mcap: topic /x: missing"), "error: a.mcap: topic /x: missing"),
         (
@@ -22,11 +22,11 @@ def test_usage_is_logged(tmp_path):
         ),
     ],
 )
-def test_a_fault_ends_in_one_line(fault, said, tmp_path):
+def test_a_fault_ends_in_one_line(fault, message, tmp_path):
     with pytest.raises(SystemExit) as ended, job(tmp_path / "log"):
         raise fault
-    assert str(ended.value) == said
-    assert (tmp_path / "log").read_text() == said + "\n"
+    assert str(ended.value) == message
+    assert (tmp_path / "log").read_text() == message + "\n"
 
 
 def test_a_log_on_the_full_disk_is_no_second_fault(tmp_path):

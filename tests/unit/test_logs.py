@@ -8,7 +8,7 @@ from mcap.writer import Writer
 from mcap_ros2.decoder import DecoderFactory
 
 from repro.logs import LogError, read_log, write_log
-from repro.run import read_checked_log
+from repro.runner import read_checked_log
 from tests.conftest import points, small_log
 
 STUDY, POINT = "linear_delays", "arrival=0.5"
@@ -55,7 +55,7 @@ def test_official_reader_and_ros2_decoder_agree(path, log):
             assert message.log_time == (decoded.trial * 6 + decoded.step) * 500_000_000
             times.append(message.log_time)
         assert times == sorted(times) and len(times) == 4 * 3 * 6
-        assert json.loads(next(reader.iter_attachments()).data) == log.parameters
+        assert json.loads(next(reader.iter_attachments()).data) == log.parameters.plain()
         assert next(reader.iter_metadata()).metadata["study"] == STUDY
 
 
@@ -100,7 +100,7 @@ def write_messages(path, log, encoding="json", leave_out=None):
         "provenance", {"study": log.study, "point": log.point, "root_seed": str(log.seed)}
     )
     writer.add_attachment(
-        0, 0, "parameters.json", "application/json", json.dumps(log.parameters).encode()
+        0, 0, "parameters.json", "application/json", json.dumps(log.parameters.plain()).encode()
     )
     channels = {}
     for topic in log.fields:
@@ -124,14 +124,14 @@ def test_a_json_log_of_the_same_topics_is_read(log, tmp_path):
 
 
 def test_faults_are_named_in_one_line(path, log, tmp_path):
-    wanted = {**log.fields, "/ideal": ("z",)}
+    expected = {**log.fields, "/ideal": ("z",)}
     with pytest.raises(LogError, match=r"0\.mcap: topic /ideal: missing"):
-        read_log(path, wanted)
-    with pytest.raises(LogError, match=r"topic /sensor: wrong schema .* wanted .* range"):
+        read_log(path, expected)
+    with pytest.raises(LogError, match=r"topic /sensor: wrong schema .* expected .* range"):
         read_log(path, {**log.fields, "/sensor": ("range",)})
-    with pytest.raises(LogError, match="study 'linear_delays', wanted is 'radar'"):
+    with pytest.raises(LogError, match="study 'linear_delays', expected is 'radar'"):
         read_log(path, study="radar")
-    with pytest.raises(LogError, match=r"point 'arrival=0\.5', wanted is 'arrival=0\.6'"):
+    with pytest.raises(LogError, match=r"point 'arrival=0\.5', expected is 'arrival=0\.6'"):
         read_checked_log(path, STUDY, "arrival=0.6")
     with pytest.raises(LogError, match=r"none\.mcap: the log cannot be read"):
         read_log(tmp_path / "none.mcap")

@@ -8,7 +8,7 @@ import pytest
 
 from repro.errors import ReproError
 from repro.filters import Filter
-from repro.run import run
+from repro.runner import run
 from tests.conftest import small_log
 
 
@@ -29,7 +29,7 @@ def run_mine(name="mine"):
 
 
 @pytest.mark.parametrize(
-    ("broken", "said"),
+    ("broken", "message"),
     [
         ({"step": lambda state, k, seen: state * np.nan}, "trial 0 at step 1 is not finite"),
         ({"mean": lambda state: state[:, :1]}, r"mean.state. has shape \(3, 1\) at step 0"),
@@ -37,9 +37,9 @@ def run_mine(name="mine"):
         ({"sees": ("truth",)}, "SEES names the channel 'truth', which this study does not have"),
     ],
 )
-def test_a_broken_filter_gets_one_line(broken, said, monkeypatch):
+def test_a_broken_filter_gets_one_line(broken, message, monkeypatch):
     install(monkeypatch, **broken)
-    with pytest.raises(ReproError, match=said) as error:
+    with pytest.raises(ReproError, match=message) as error:
         run_mine()
     assert "\n" not in str(error.value) and "filter mine" in str(error.value)
 

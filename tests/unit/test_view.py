@@ -1,4 +1,4 @@
-"""One trial to look into."""
+"""One trial in detail."""
 
 import json
 
@@ -10,7 +10,7 @@ from mcap_ros2.decoder import DecoderFactory
 from repro.errors import ReproError
 from repro.inspect.view import LAYOUT, write_view
 from repro.logs import write_log
-from repro.run import run_filter
+from repro.runner import run_filter
 from repro.tables.results import Results
 from tests.conftest import points, small_log
 
@@ -27,7 +27,7 @@ def results(tmp_path):
         path.parent.mkdir(parents=True)
         settings = points()[STUDY][POINT].filters.get(name, {})
         run_filter(log, STUDY, POINT, name, settings, path)
-    return Results(tmp_path, {STUDY: {POINT: FILTERS}}, shards=1)
+    return Results(tmp_path, {STUDY: {POINT: FILTERS}}, shards=1, analysis={}, tolerance=3.0)
 
 
 def read_decoded(path):
@@ -77,13 +77,15 @@ def test_a_view_of_a_closed_loop_has_every_filters_own_flight(tmp_path):
     log.parent.mkdir(parents=True)
     write_log(log, small_log("quadrotor", point, trials=3, steps=10), 0.01)
     for name in filters:
-        made = [tmp_path / kind / "quadrotor" / point / name for kind in ("runs", "flights")]
-        for folder in made:
-            folder.mkdir(parents=True)
-        settings = points()["quadrotor"][point].filters["rbpf"] if name == "rbpf_fast" else {}
-        flight = made[1] / "0.mcap"
-        run_filter(log, "quadrotor", point, name, settings, made[0] / "0.npz", flight)
-    results = Results(tmp_path, {"quadrotor": {point: filters}}, shards=1)
+        runs, flights = (
+            tmp_path / kind / "quadrotor" / point / name for kind in ("runs", "flights")
+        )
+        runs.mkdir(parents=True)
+        flights.mkdir(parents=True)
+        settings = points()["quadrotor"][point].filters.get(name, {})
+        run_filter(log, "quadrotor", point, name, settings, runs / "0.npz", flights / "0.mcap")
+    catalogue = {"quadrotor": {point: filters}}
+    results = Results(tmp_path, catalogue, shards=1, analysis={}, tolerance=3.0)
     write_view(results, "quadrotor", point, 1, tmp_path / "v.mcap", tmp_path / "v.json")
     found = read_decoded(tmp_path / "v.mcap")
     for name in filters:
@@ -97,5 +99,5 @@ def test_a_view_of_a_closed_loop_has_every_filters_own_flight(tmp_path):
 
 
 def test_a_trial_that_is_not_there_is_named(results, tmp_path):
-    with pytest.raises(ReproError, match=r"trial 3: .* has the trials 0 to 2; name one"):
+    with pytest.raises(ReproError, match=r"trial 3: .* has the trials 0 to 2"):
         write_view(results, STUDY, POINT, 3, tmp_path / "v.mcap", tmp_path / "v.json")

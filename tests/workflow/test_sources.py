@@ -17,7 +17,7 @@ def test_code_agrees_with_what_a_fresh_process_imports(name, study, point):
     script = f"""
 import sys
 import repro.workflow.job
-from repro.run import filter_module, study_module
+from repro.runner import filter_module, study_module
 plugins.filter_module("{name}"), plugins.study("{study}")
 mine = [module for name, module in sys.modules.items() if name.split(".")[0] == "repro"]
 print("\\n".join(sorted(module.__file__ for module in mine)))

@@ -1,4 +1,4 @@
-# Stops 7 and 8 of the data, and what a reader asks for: pages, manifest, views, logs of one's own, archive.
+# Stops 7 and 8 of the data, and what a reader asks for: pages, manifest, views, logs recorded elsewhere, archive.
 rule assumptions:
     input:
         files=PARAMETER_FILES,
@@ -143,7 +143,7 @@ rule user_log:
     output:
         LAYOUT.user_estimates(),
     log:
-        LAYOUT.job_log("own", "{filter}"),
+        LAYOUT.job_log("user_log", "{filter}"),
     wildcard_constraints:
         filter="[a-z0-9_]+",
     conda:
@@ -161,7 +161,7 @@ rule user_log:
             f"repro.studies.{user_log('study')}",
         ),
     script:
-        "../scripts/own.py"
+        "../scripts/user_log.py"
 
 
 rule catalogue:

@@ -1,4 +1,4 @@
-from repro.plot import style, study_figures
+from repro.plot import study_figures, style
 from repro.tables.results import Results
 from repro.workflow.job import job
 

@@ -1,28 +1,33 @@
 """A filter on a log recorded elsewhere: estimates, and errors where the log has the truth."""
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
 
 from repro import plugins
 from repro.errors import ReproError
-from repro.logs import read_foreign
-from repro.run import run
+from repro.logs import read_user_log
+from repro.runner import run
 from repro.studies import ClosedLoop, Study
 from repro.tables.csv_file import write_csv
 
 
-def run_user_log(log_path: str, user_log: dict, name: str, path: str | Path) -> None:
-    """Write trial, k, the estimate of every state component and, if known, its error.
+def run_user_log(
+    log_path: str | Path, user_log: Mapping[str, Any], name: str, path: str | Path
+) -> None:
+    """Write trial, k, the estimate of every state component and, if the log has /truth, its error.
 
-    `user_log` has `study`, `point`, the point's `parameters` and the filter's `settings`.
+    `user_log` has `study`, `point`, the point's `parameters` and the filter's `settings`. Raises
+    ReproError if the log or the filter does not fit the study.
     """
     study = user_log["study"]
     scenario = open_loop(study)
     parameters = scenario.Parameters.checked(user_log["parameters"], f"{study}: parameters")
     fields = scenario.topics(parameters)
-    log = read_foreign(log_path, fields, study, user_log["point"], parameters)
+    log = read_user_log(log_path, fields, study, user_log["point"], parameters)
     estimate, runs = run(log, name, user_log["settings"])
     trials, steps, n = estimate.shape
     states = fields["/truth"]

@@ -1,8 +1,9 @@
-"""One trial to look into: truth, signals, and every filter's estimate and error on one clock."""
+"""One trial in detail: truth, signals, and every filter's estimate and error on one clock."""
 
 import itertools
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -19,13 +20,13 @@ LAYOUT = "foxglove-layout.json"  # the layout as an attachment of the view
 def trial_view(results: Results, study: str, point: str, trial: int) -> Log:
     """The log of one trial with the topics /estimate/<filter> and /error/<filter> added.
 
-    Both have the fields of /truth. In a closed loop each filter has its own truth, and all of its
-    flight's topics bear its name. Raises ReproError if the point has no such trial.
+    Both have the fields of /truth. In a closed loop each filter has its own truth, and the topics
+    of its flight end in its name. Raises ReproError if the point has no such trial.
     """
     log = results.log(study, point)
     if trial not in log.trials:
         last = log.trials[-1]
-        raise ReproError(f"trial {trial}: {study}, {point} has the trials 0 to {last}; name one")
+        raise ReproError(f"trial {trial}: {study}, {point} has the trials 0 to {last}")
     at = int(np.flatnonzero(log.trials == trial)[0])
     place = slice(at, at + 1)
     add = _add_flight if isinstance(plugins.study(study), ClosedLoop) else _add_estimate
@@ -73,7 +74,7 @@ def write_view(
     write_log(path, view, scenario.period(view.parameters), {LAYOUT: drawn.encode()})
 
 
-def foxglove_layout(view: Log, trajectory: tuple[tuple[str, str], ...]) -> dict:
+def foxglove_layout(view: Log, trajectory: tuple[tuple[str, str], ...]) -> dict[str, Any]:
     """Panels: trajectories (pairs of fields of the truth), states, signals, errors over time."""
     sources = _of_kind(view, "truth", "estimate")
     errors = _of_kind(view, "error")
@@ -110,7 +111,7 @@ def _of_kind(view: Log, *kinds: str) -> list[str]:
     return [topic for topic in view.fields if topic.split("/")[1] in kinds]
 
 
-def _plot(title: str, series: dict[str, str], over: str | None = None) -> dict:
+def _plot(title: str, series: dict[str, str], over: str | None = None) -> dict[str, Any]:
     config = {
         "title": title,
         "paths": [
@@ -124,7 +125,7 @@ def _plot(title: str, series: dict[str, str], over: str | None = None) -> dict:
     return config if over is None else config | {"xAxisPath": {"value": over, "enabled": True}}
 
 
-def _split(names: list[str], direction: str) -> dict | str:
+def _split(names: list[str], direction: str) -> dict[str, Any] | str:
     """A mosaic that halves the panels in turn."""
     if len(names) == 1:
         return names[0]

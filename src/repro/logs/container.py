@@ -1,8 +1,8 @@
 """The MCAP file around the messages, built from the records of the mcap package.
 
-The package's own Writer takes messages one by one, about 3 microseconds each. A log here is made of
-arrays, so whole chunks are handed over instead; every record but the messages and their index is
-written by the package.
+The package's Writer takes single messages, about 3 microseconds each. Here a log is made of arrays,
+so complete chunks are written instead; every record but the messages and their index is encoded by
+the package.
 """
 
 import zlib
@@ -39,7 +39,7 @@ def _bytes(record: McapRecord) -> bytes:
 
 
 class Container:
-    """An MCAP file in the making; `finish` writes its summary."""
+    """An MCAP file that is being written; `finish` writes its summary."""
 
     def __init__(self, stream: BinaryIO, profile: str, library: str):
         self._stream, self._position, self._crc = stream, 0, 0
@@ -63,11 +63,12 @@ class Container:
         return offset, len(data)
 
     def add_metadata(self, name: str, content: dict[str, str]) -> None:
+        """Write a Metadata record."""
         offset, length = self._put(_bytes(Metadata(name=name, metadata=content)))
         self._metadata.append(MetadataIndex(offset=offset, length=length, name=name))
 
     def add_attachment(self, name: str, media_type: str, data: bytes) -> None:
-        """Attach bytes under a name; without a clock time, for the sake of equal bytes."""
+        """Attach bytes under a name, without a clock time, so that equal logs are equal bytes."""
         attachment = Attachment(
             create_time=0, log_time=0, name=name, media_type=media_type, data=data
         )

@@ -4,12 +4,14 @@ import io
 import json
 import struct
 import zlib
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from mcap.data_stream import ReadDataStream
 from mcap.opcode import Opcode
-from mcap.records import Attachment, Channel, Chunk, Footer, Metadata, Schema
+from mcap.records import Attachment, Channel, Chunk, Footer, McapRecord, Metadata, Schema
 from mcap.stream_reader import get_chunk_data_stream
 
 from repro.logs.format import (
@@ -25,8 +27,9 @@ from repro.logs.format import (
 )
 
 CHANNEL_ID = struct.Struct("<H")
+COUNTER_END = 2**32  # trial and step are uint32
 MESSAGE_HEAD = record_dtype(0).itemsize - payload_dtype(0).itemsize  # bytes before a payload
-LOG_TIME = record_dtype(0).fields["log_time"][1]  # its offset in a message record
+LOG_TIME = RECORD_HEAD.size + 6  # its offset in a message record, after channel and sequence
 
 
 class Content:
@@ -46,12 +49,12 @@ class Content:
             raise LogError(f"{path}: the log cannot be read: {error.strerror}") from None
         try:
             self._read(data)
-        # Changed bytes can raise anything in a parser; all of it means the same here.
+        # Changed bytes can raise anything in the parser; it always means the same.
         except Exception as error:
-            known = ", ".join(self.channels) or "none"
+            topics = ", ".join(self.channels) or "none"
             raise LogError(
-                f"{path}: topics that were begun ({known}): the log is truncated or changed "
-                f"({type(error).__name__}: {error}): generate it again"
+                f"{path}: the log is truncated or changed ({type(error).__name__}: {error}; "
+                f"topics up to there: {topics}): generate it again"
             ) from None
 
     def _read(self, data: bytes) -> None:
@@ -62,7 +65,7 @@ class Content:
             raise ValueError("no end of the data section, or no footer")
 
     def _walk(self, data: bytes, position: int, stop: int) -> None:
-        """Take in the records of a file or of a chunk; messages in runs of one channel and size."""
+        """Read the records of a file or chunk; messages in runs of one channel and size."""
         while position < stop:
             opcode, length = RECORD_HEAD.unpack_from(data, position)
             body, end = position + RECORD_HEAD.size, position + RECORD_HEAD.size + length
@@ -82,10 +85,10 @@ class Content:
                 _check_summary(data, Footer.read(_stream(data, body, end)), end - CRC.size)
                 self._closed.add(Opcode.FOOTER)
             elif opcode in _READ:
-                self._take(_READ[opcode](_stream(data, body, end)))
+                self._keep(_READ[opcode](_stream(data, body, end)))
             position = end
 
-    def _take(self, record) -> None:
+    def _keep(self, record: McapRecord) -> None:
         match record:
             case Chunk():
                 stream, length = get_chunk_data_stream(record, validate_crc=True)
@@ -103,8 +106,8 @@ class Content:
         """Channel and schema of a topic; LogError if it has no messages."""
         channel = self.channels.get(topic)
         if channel is None or channel.id not in self.runs:
-            known = ", ".join(self.channels) or "no topic"
-            raise LogError(f"{self.path}: topic {topic}: missing; the log has {known}")
+            known = ", ".join(self.channels) or "none"
+            raise LogError(f"{self.path}: topic {topic}: missing; topics of the log: {known}")
         return channel, self.schemas.get(channel.schema_id)
 
     def records(self, where: str, channel: int) -> np.ndarray:
@@ -114,24 +117,30 @@ class Content:
             raise LogError(f"{where}: messages of different sizes")
         return np.concatenate(runs) if len(runs) > 1 else runs[0]
 
-    def json_rows(self, where: str, channel: int) -> tuple[list[dict], np.ndarray]:
-        """Messages of a channel decoded from JSON, and their log times."""
-        records = [record for run in self.runs[channel] for record in run]
-        try:
-            rows = [json.loads(record[MESSAGE_HEAD:].tobytes()) for record in records]
-        except ValueError as error:
-            raise LogError(f"{where}: a message is not JSON: {error}") from None
-        if not all(isinstance(row, dict) for row in rows):
-            raise LogError(f"{where}: a message is not a JSON object")
-        return rows, np.array([log_times(record[None])[0] for record in records])
+    def messages(self, channel: int) -> tuple[list[bytes], np.ndarray]:
+        """Payloads of a channel's messages, of any sizes, and their log times in ns."""
+        runs = self.runs[channel]
+        payloads = [row.tobytes() for run in runs for row in run[:, MESSAGE_HEAD:]]
+        return payloads, np.concatenate([_log_times(run) for run in runs])
 
 
-def log_times(records: np.ndarray) -> np.ndarray:
+def json_object(where: str, payload: bytes) -> dict[str, Any]:
+    """A message decoded from JSON."""
+    try:
+        row = json.loads(payload)
+    except ValueError as error:
+        raise LogError(f"{where}: a message is not JSON: {error}") from None
+    if not isinstance(row, dict):
+        raise LogError(f"{where}: a message is not a JSON object")
+    return row
+
+
+def _log_times(records: np.ndarray) -> np.ndarray:
     """Log times of message records given as bytes, in ns."""
     return np.ascontiguousarray(records[:, LOG_TIME : LOG_TIME + 8]).view("<u8")[:, 0]
 
 
-_READ = {  # what is taken from a log; the indexes serve players, not this reader
+_READ = {  # the records that are read; the indexes are for players
     Opcode.CHUNK: Chunk.read,
     Opcode.SCHEMA: Schema.read,
     Opcode.CHANNEL: Channel.read,
@@ -148,10 +157,15 @@ def _equal_records(data: bytes, start: int, end: int, stop: int) -> np.ndarray:
     """The run of records from `start` with the opcode, length and channel of the first."""
     size = end - start
     head = np.frombuffer(data, np.uint8, RECORD_HEAD.size + CHANNEL_ID.size, start)
-    whole = (stop - start) // size
-    table = np.frombuffer(data, np.uint8, whole * size, start).reshape(whole, size)
-    same = (table[:, : len(head)] == head).all(axis=1)
-    return table if same.all() else table[: int(same.argmin())]
+    fitting = (stop - start) // size
+    table = np.frombuffer(data, np.uint8, fitting * size, start).reshape(fitting, size)
+    ahead = 1
+    while ahead < fitting:  # doubled, so that messages of mixed sizes cost linear time
+        same = (table[ahead : 2 * ahead, : len(head)] == head).all(axis=1)
+        if not same.all():
+            return table[: ahead + int(same.argmin())]
+        ahead *= 2
+    return table
 
 
 def _check_summary(data: bytes, footer: Footer, end: int) -> None:
@@ -161,19 +175,44 @@ def _check_summary(data: bytes, footer: Footer, end: int) -> None:
         raise ValueError("CRC of the summary section")
 
 
-def arrange(where: str, trial: np.ndarray, step: np.ndarray, values: np.ndarray):
+# Numbers of the trials, (trials,), and values, (trials, messages a trial, fields).
+Topic = tuple[np.ndarray, np.ndarray]
+
+
+def read_topics(
+    content: Content,
+    fields: Mapping[str, tuple[str, ...]],
+    read: Callable[[Content, str, tuple[str, ...]], Topic],
+) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """Trials, and the values of each topic by `read`; LogError unless all have the same trials."""
+    topics = {topic: read(content, topic, names) for topic, names in fields.items()}
+    if not topics:
+        raise LogError(f"{content.path}: the log has no topic")
+    trials, _ = next(iter(topics.values()))
+    for topic, (of_topic, _) in topics.items():
+        if not np.array_equal(of_topic, trials):
+            raise LogError(f"{content.path}: topic {topic}: other trials than the topics before it")
+    return trials, {topic: values for topic, (_, values) in topics.items()}
+
+
+def arrange(where: str, trial: np.ndarray, step: np.ndarray, values: np.ndarray) -> Topic:
     """Messages in the order of trial and step, complete and without repetition."""
+    for name, counter in (("trial", trial), ("step", step)):
+        with np.errstate(invalid="ignore"):
+            valid = (counter >= 0) & (counter < COUNTER_END) & (counter % 1 == 0)
+        if not valid.all():
+            raise LogError(f"{where}: the field '{name}' must be an integer from 0 to 2^32 - 1")
     numbers, counts = np.unique(trial, return_counts=True)
     steps = int(counts.max())
     expected_trial = np.repeat(numbers, steps)
     expected_step = np.tile(np.arange(steps), len(numbers))
     if len(trial) != len(expected_trial):
         short = numbers[counts < steps][0]
-        raise LogError(f"{where}: trial {short} has fewer than {steps} messages")
+        raise LogError(f"{where}: trial {short:g} has fewer than {steps} messages")
     if not (np.array_equal(trial, expected_trial) and np.array_equal(step, expected_step)):
         order = np.lexsort((step, trial))
         trial, step, values = trial[order], step[order], values[order]
         if not np.array_equal(step, expected_step):
             wrong = trial[step != expected_step][0]
-            raise LogError(f"{where}: trial {wrong} has a missing or repeated step")
+            raise LogError(f"{where}: trial {wrong:g} has a missing or repeated step")
     return numbers.astype(int), np.ascontiguousarray(values).reshape(len(numbers), steps, -1)

@@ -1,4 +1,4 @@
-"""Layout of the messages and of the records around them, shared by writer and reader."""
+"""Layout of the messages and of the records around them, for writer and reader."""
 
 import struct
 from typing import Any, NamedTuple
@@ -7,7 +7,7 @@ import numpy as np
 
 from repro.errors import ReproError
 
-# The format's, as mcap.writer has it; importing that takes a filter's job a quarter of its start.
+# As in mcap.writer, whose import would take a quarter of the start of a filter's job.
 MAGIC = b"\x89MCAP0\r\n"
 PROFILE = "ros2"
 ENCODING = "cdr"
@@ -21,7 +21,7 @@ FOOTER_HEAD = RECORD_HEAD.size + 16  # bytes of a footer before its CRC
 
 
 class LogError(ReproError):
-    """A log that cannot be trusted or is not the one that is wanted."""
+    """A log that is damaged, or not the expected one."""
 
 
 class Log(NamedTuple):
@@ -30,7 +30,7 @@ class Log(NamedTuple):
     study: str
     point: str
     seed: int
-    parameters: Any  # of the study's own type, a PointParameters
+    parameters: Any  # a PointParameters of the study's type
     trials: np.ndarray  # numbers of the trials, ascending
     fields: dict[str, tuple[str, ...]]  # of each topic
     values: dict[str, np.ndarray]
@@ -46,6 +46,7 @@ class Log(NamedTuple):
 
 
 def schema_name(study: str, topic: str) -> str:
+    """Name of the message type of a topic: repro_msgs/msg/<StudyTopic>."""
     words = f"{study}_{topic}".replace("/", "_").split("_")
     camel = "".join(word.capitalize() for word in words)
     return f"repro_msgs/msg/{camel}"

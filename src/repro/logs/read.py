@@ -1,11 +1,12 @@
-"""Reading a log of this project into arrays at once, with every check against a wrong number."""
+"""Reading a log of this project into arrays, with every check against a wrong number."""
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
 from repro import plugins
-from repro.logs.content import Content, arrange
+from repro.logs.content import Content, Topic, arrange, json_object, read_topics
 from repro.logs.format import (
     CDR_LITTLE_ENDIAN,
     ENCODING,
@@ -21,51 +22,48 @@ from repro.parameters.values import PointParameters
 
 def read_log(
     path: str | Path,
-    fields: dict[str, tuple[str, ...]] | None = None,
+    fields: Mapping[str, tuple[str, ...]] | None = None,
     study: str | None = None,
     point: str | None = None,
 ) -> Log:
-    """Read a log and check it against the topics, study and point that are wanted, where given.
+    """Read a log and check it against the expected topics, study and point, where given.
 
     Raises LogError with one line that names the file, the topic and the cause: truncated or
     changed bytes (every CRC of the format is checked), a missing topic, another schema, missing or
     repeated steps, another study.
     """
     content = Content(path)
-    if content.provenance is None:
+    provenance = content.provenance
+    if provenance is None:
         raise LogError(f"{path}: metadata '{PROVENANCE}' is missing: not a log of this project")
-    if study is not None and content.provenance["study"] != study:
+    if study is not None and provenance["study"] != study:
         raise LogError(
             f"{path}: metadata '{PROVENANCE}': the log is of study "
-            f"'{content.provenance['study']}', wanted is '{study}': give it a log of that study"
+            f"'{provenance['study']}', expected is '{study}'"
         )
-    if point is not None and content.provenance["point"] != point:
+    if point is not None and provenance["point"] != point:
         raise LogError(
             f"{path}: metadata '{PROVENANCE}': the log is of point "
-            f"'{content.provenance['point']}', wanted is '{point}': give it a log of that point"
+            f"'{provenance['point']}', expected is '{point}'"
         )
     topics = fields if fields is not None else _own_fields(content)
-    trials, values = None, {}
-    for topic, names in topics.items():
-        found, values[topic] = _topic(content, topic, names)
-        if trials is not None and not np.array_equal(found, trials):
-            raise LogError(f"{path}: topic {topic}: other trials than the topics before it")
-        trials = found
+    trials, values = read_topics(content, topics, _topic)
     return Log(
-        study=content.provenance["study"],
-        point=content.provenance["point"],
-        seed=int(content.provenance["root_seed"]),
-        parameters=_parameters(content),
+        study=provenance["study"],
+        point=provenance["point"],
+        seed=int(provenance["root_seed"]),
+        parameters=_parameters(content, provenance["study"]),
         trials=trials,
         fields=dict(topics),
         values=values,
     )
 
 
-def _parameters(content: Content) -> PointParameters:
+def _parameters(content: Content, study: str) -> PointParameters:
     """The parameters that the log was simulated with, as its study types them."""
-    study = plugins.study(content.provenance["study"])
-    return study.Parameters.checked(content.parameters, f"{content.path}: {PARAMETERS}")
+    return plugins.study(study).Parameters.checked(
+        content.parameters, f"{content.path}: {PARAMETERS}"
+    )
 
 
 def _own_fields(content: Content) -> dict[str, tuple[str, ...]]:
@@ -77,23 +75,27 @@ def _own_fields(content: Content) -> dict[str, tuple[str, ...]]:
     return fields
 
 
-def _topic(content: Content, topic: str, fields: tuple[str, ...]) -> tuple[np.ndarray, np.ndarray]:
+def _topic(content: Content, topic: str, fields: tuple[str, ...]) -> Topic:
     """Trials (ascending) and values (trials, messages a trial, fields) of a topic."""
     where = f"{content.path}: topic {topic}"
     channel, schema = content.channel(topic)
     if channel.message_encoding == "json":
         return arrange(where, *_from_json(content, where, channel.id, fields))
     if channel.message_encoding != ENCODING or schema is None:
-        raise LogError(f"{where}: encoding '{channel.message_encoding}': cdr or json is read")
+        raise LogError(f"{where}: encoding '{channel.message_encoding}': it must be cdr or json")
     if schema.data != schema_text(fields):
         raise LogError(
-            f"{where}: wrong schema '{schema.name}': wanted are the fields "
+            f"{where}: wrong schema '{schema.name}': the expected fields are "
             f"trial, step, {', '.join(fields)}"
         )
     return arrange(where, *_from_cdr(content.records(where, channel.id), where, len(fields)))
 
 
-def _from_cdr(records: np.ndarray, where: str, fields: int):
+# Trial and step of each message, (messages,), and its values, (messages, fields).
+Messages = tuple[np.ndarray, np.ndarray, np.ndarray]
+
+
+def _from_cdr(records: np.ndarray, where: str, fields: int) -> Messages:
     dtype = record_dtype(fields)
     if records.shape[1] != dtype.itemsize:
         raise LogError(f"{where}: messages of another size than their schema says")
@@ -103,14 +105,15 @@ def _from_cdr(records: np.ndarray, where: str, fields: int):
     return payload["trial"], payload["step"], payload["values"]
 
 
-def _from_json(content: Content, where: str, channel: int, fields: tuple[str, ...]):
-    rows, _ = content.json_rows(where, channel)
+def _from_json(content: Content, where: str, channel: int, fields: tuple[str, ...]) -> Messages:
+    payloads, _ = content.messages(channel)
+    rows = [json_object(where, payload) for payload in payloads]
     try:
         table = np.array(
             [[row[name] for name in ("trial", "step", *fields)] for row in rows], float
         )
     except KeyError as error:
         raise LogError(f"{where}: a message lacks the field {error}") from None
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise LogError(f"{where}: a field is not a number") from None
-    return table[:, 0].astype(int), table[:, 1].astype(int), table[:, 2:]
+    return table[:, 0], table[:, 1], table[:, 2:]

@@ -1,4 +1,4 @@
-"""Writing a log: byte for byte a function of its content."""
+"""Writing a log: equal content gives equal bytes."""
 
 import json
 from pathlib import Path
@@ -23,13 +23,13 @@ from repro.logs.format import (
     schema_text,
 )
 
-TRIALS_A_BLOCK = 50  # topics alternate in blocks of trials, so that a player finds them together
+TRIALS_A_BLOCK = 50  # topics alternate in blocks of trials, so that a player reads them together
 
 
 def write_log(
     path: str | Path, log: Log, period: float, attachments: dict[str, bytes] | None = None
 ) -> None:
-    """Write `log`, `period` seconds of log clock a step; the file appears whole or not at all.
+    """Write `log`, `period` seconds of log clock a step; the file appears complete or not at all.
 
     `attachments` are JSON texts by name, beside the parameters.
     """

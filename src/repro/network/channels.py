@@ -1,4 +1,4 @@
-"""What a filter sees: the channels that it declares, and nothing else."""
+"""What a filter sees: the channels that it declares, and no others."""
 
 from abc import ABC, abstractmethod
 from typing import Any, ClassVar
@@ -7,17 +7,16 @@ import numpy as np
 
 from repro.errors import ReproError
 
-# Not impairments but part of the model's functions: every filter may know which sensor measures and
-# which input drove the system to this step. None where a study has no such thing.
+# No impairments, but arguments of the model's functions: every filter may know which sensor measures
+# and which input led to this step. None where a study has no such thing.
 ALWAYS_SEEN = ("sensor", "earlier_sensors", "input")
 
 
 class Channels(ABC):
     """What the network offers to a batch of trials, step by step."""
 
-    on_prediction: ClassVar[bool] = (
-        False  # `at` gets the prediction for step k, not the last estimate
-    )
+    # Whether `at` gets the prediction for step k instead of the last estimate.
+    on_prediction: ClassVar[bool] = False
 
     @abstractmethod
     def at(self, k: int, fed_back: np.ndarray) -> dict[str, Any]:
@@ -28,11 +27,11 @@ class Channels(ABC):
         return None
 
     def record(self) -> dict[str, np.ndarray]:
-        """What the loop decided besides, (trials, ...) each."""
+        """Further arrays to keep with the runs, (trials, ...) each."""
         return {}
 
     def flown(self) -> dict[str, np.ndarray]:
-        """Topics of the log of what was flown."""
+        """Topics of the log of a closed loop."""
         return {}
 
 
@@ -47,7 +46,7 @@ class Recorded(Channels):
 
 
 class Seen:
-    """The declared channels of one step as attributes; any other name is refused in one line."""
+    """The declared channels of one step as attributes; any other raises ReproError."""
 
     sensor: Any
     earlier_sensors: Any

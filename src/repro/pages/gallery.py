@@ -7,8 +7,8 @@ from repro.workflow.code import constants
 
 
 def write_gallery(scripts: list[str], titles: dict[str, str], path: str | Path) -> None:
-    """Write figures/README.md; a script's picture stands beside it, its caption in it."""
-    text = ["# Figures", "", "Made by the run from the scripts beside the pictures.", ""]
+    """Write figures/README.md; each script holds its CAPTION, and its picture is beside it."""
+    text = ["# Figures", "", "Drawn by the run from the scripts beside the pictures.", ""]
     for paper, title in titles.items():
         text += [f"## {paper}", "", title, ""]
         for script in sorted(map(Path, scripts)):

@@ -1,12 +1,14 @@
 """The verdicts for a reader: tally, Markdown page, and the first page of Snakemake's report."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 
 from repro.atomic import atomic_write
+from repro.pages.markdown import markdown_table
 from repro.tables.csv_file import write_csv
 from repro.verdicts.published import REPRODUCED, VERDICTS, diff
 
@@ -18,7 +20,12 @@ TITLE = "Published against reproduced"
 
 
 def write_diff(
-    papers: dict[str, dict], tolerance: float, csv: str, markdown: str, report: str, tally: str
+    papers: Mapping[str, Mapping[str, Any]],
+    tolerance: float,
+    csv: str,
+    markdown: str,
+    report: str,
+    tally: str,
 ) -> None:
     """Write the diff of all papers (see `diff`) as CSV, Markdown, reStructuredText, and a tally."""
     table = diff(papers, tolerance)
@@ -37,43 +44,52 @@ def tally_lines(table: pd.DataFrame) -> list[str]:
     """One line a paper: how many published values match, how many claims hold."""
     lines = []
     for paper, rows in table.groupby("paper", sort=False):
-        said = []
+        tallies = []
         for kind, verdicts in VERDICTS.items():
-            found = rows.loc[rows["kind"] == kind, "verdict"]
-            counts = ", ".join(f"{(found == v).sum()} {v}" for v in verdicts)
-            said.append(f"{len(found)} {kind}s: {counts}")
-        surprises = int((~rows["as_expected"]).sum())
-        lines.append(f"{paper}: {'; '.join(said)}; {surprises} not as expected")
+            of_kind = list(rows.loc[rows["kind"] == kind, "verdict"])
+            counts = ", ".join(f"{of_kind.count(verdict)} {verdict}" for verdict in verdicts)
+            tallies.append(f"{len(of_kind)} {kind}s: {counts}")
+        unexpected = list(rows["as_expected"]).count(False)
+        lines.append(f"{paper}: {'; '.join(tallies)}; {unexpected} not as expected")
     return lines
 
 
-def sections(table: pd.DataFrame) -> Iterator[tuple[str, str, tuple[str, ...], list[list[str]]]]:
-    """Paper, kind, head and rows of each table; what does not reproduce stands on top."""
+class Section(NamedTuple):
+    """A table of the pages: the values, or the claims, of a paper."""
+
+    title: str
+    head: tuple[str, ...]
+    rows: list[list[str]]
+
+
+def sections(table: pd.DataFrame) -> Iterator[Section]:
+    """The tables of all papers; in each, what does not reproduce comes first."""
     for paper, rows in table.groupby("paper", sort=False):
         ranked = rows.assign(rank=rows["verdict"].isin(REPRODUCED))
-        ranked = ranked.sort_values("rank", kind="stable")
+        ranked = ranked.sort_values("rank", kind="stable").to_dict("records")
         for kind, head in HEADS.items():
-            of_kind = ranked[ranked["kind"] == kind]
-            cells = [[*_cells(row), row.verdict, row.reason] for row in of_kind.itertuples()]
+            cells = [
+                [*_cells(row), row["verdict"], row["reason"]]
+                for row in ranked
+                if row["kind"] == kind
+            ]
             if cells:
-                yield paper, kind, (*head, "verdict", "reason"), cells
+                yield Section(f"{paper}: {kind}s", (*head, "verdict", "reason"), cells)
 
 
-def _cells(row) -> list[str]:
-    if row.kind == "claim":
-        return [row.item, row.statement, row.evidence]
-    errors = f"{row.mcse:.2g}, {row.their_error:.2g}"
-    z = "" if np.isnan(row.z) else f"{row.z:+.1f}"
-    return [row.item, f"{row.published:g}", f"{row.ours:.4g}", errors, z]
+def _cells(row: Mapping[Any, Any]) -> list[str]:
+    if row["kind"] == "claim":
+        return [row["item"], row["statement"], row["evidence"]]
+    errors = f"{row['mcse']:.2g}, {row['their_error']:.2g}"
+    z = "" if np.isnan(row["z"]) else f"{row['z']:+.1f}"
+    return [row["item"], f"{row['published']:g}", f"{row['ours']:.4g}", errors, z]
 
 
 def markdown_page(table: pd.DataFrame) -> str:
     """The page results/diff.md."""
     text = [f"# {TITLE}", "", *(f"- {line}" for line in tally_lines(table)), ""]
-    for paper, kind, head, rows in sections(table):
-        text += [f"## {paper}: {kind}s", ""]
-        text += [f"| {' | '.join(cells)} |" for cells in (head, ["---"] * len(head), *rows)]
-        text.append("")
+    for section in sections(table):
+        text += [f"## {section.title}", "", markdown_table(section.head, section.rows), ""]
     return "\n".join(text)
 
 
@@ -81,11 +97,11 @@ def report_page(table: pd.DataFrame) -> str:
     """The first page of the report; the pictures of the verdicts are links into it."""
     text = [TITLE, "=" * len(TITLE), ""]
     text += [f"- {_escaped(line)}" for line in tally_lines(table)]
-    for paper, kind, head, rows in sections(table):
-        title = f"{_escaped(paper)}: {kind}s"
+    for section in sections(table):
+        title = _escaped(section.title)
         text += ["", title, "-" * len(title), ""]
         text += [".. list-table::", "   :header-rows: 1", ""]
-        for cells in (head, *rows):
+        for cells in (section.head, *section.rows):
             marks = ("   * -", *["     -"] * (len(cells) - 1))
             text += [f"{m} {_escaped(c)}".rstrip() for m, c in zip(marks, cells, strict=True)]
     return "\n".join(text) + "\n"

@@ -1,5 +1,6 @@
 """The look of the figures, and the names and colours of the filters in them."""
 
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -8,6 +9,7 @@ import matplotlib
 matplotlib.use("Agg")
 
 from matplotlib import pyplot, ticker
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from repro import plugins
@@ -16,6 +18,7 @@ from repro.tables.results import Catalogue
 
 # Okabe and Ito's palette: told apart with any kind of colour vision.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999933")
+BAND: float = 2.0  # standard errors on either side of a curve
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
 PUBLISHED = dict(color="black", marker="_", linestyle="none", markersize=14, markeredgewidth=1.6)
 
@@ -36,11 +39,13 @@ pyplot.rcParams.update(
 def figure(
     rows: int = 1, columns: int = 1, size: tuple[float, float] = (7.0, 4.3), **axes: Any
 ) -> tuple[Figure, Any]:
-    """A figure and its axes."""
+    """A figure and its axes: one, or an array of them; further arguments are those of subplots."""
     return pyplot.subplots(rows, columns, figsize=size, **axes)
 
 
-def table(rows, heads: tuple[str, ...], widths: tuple[float, ...]) -> Figure:
+def table(
+    rows: Sequence[Iterable[Any]], heads: tuple[str, ...], widths: tuple[float, ...]
+) -> Figure:
     """A table as a picture; widths are shares of the figure's."""
     drawn, axes = figure(size=(7.6, 0.29 * (len(rows) + 1) + 0.2))
     axes.axis("off")
@@ -66,7 +71,7 @@ def look(catalogue: Catalogue, study: str, filter_: str) -> dict[str, Any]:
     return {"color": COLOURS[place % len(COLOURS)], "marker": MARKERS[place % len(MARKERS)]}
 
 
-def plain_log(axes, which: str = "y") -> None:
+def plain_log(axes: Axes, which: str = "y") -> None:
     """A logarithmic axis of less than three decades, with plain numbers at 1, 2 and 5."""
     axes.set(**{f"{which}scale": "log"})
     axis = getattr(axes, f"{which}axis")

@@ -3,9 +3,8 @@
 from matplotlib.axes import Axes
 
 from repro.plot import style
+from repro.plot.style import BAND
 from repro.tables.results import Results
-
-BAND = 2  # standard errors either side
 
 
 def sweep(
@@ -22,10 +21,10 @@ def sweep(
     `names` are the filters' names in this figure, where they differ from their labels.
     """
     table = results.table(study)
-    table = table[(table["metric"] == metric) & (table["component"] == component)]
+    table = table.loc[(table["metric"] == metric) & (table["component"] == component)]
     values = list(points)
     for filter_ in results.filters(study, points[values[0]]):
-        rows = table[table["filter"] == filter_].set_index("point").loc[list(points.values())]
+        rows = table.loc[table["filter"] == filter_].set_index("point").loc[list(points.values())]
         look = style.look(results.catalogue, study, filter_)
         label = (names or {}).get(filter_, style.label(filter_))
         axes.plot(values, rows["value"], label=label, markersize=4, lw=1.3, **look)

@@ -1,6 +1,8 @@
 """Verdicts at a glance: every published value and every claim of a paper, and the tally of all."""
 
 import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from repro.plot import style
@@ -14,36 +16,36 @@ COLOURS = {
     "differs": "#D55E00",
     "fails": "#D55E00",
 }
-LARGEST = 12.0  # standard errors drawn; what is farther stands at the edge
+LARGEST = 12.0  # standard errors drawn; what is farther is drawn at the edge
 
 
 def verdicts(results: Results, paper: str) -> Figure:
     """Left: ours over published with both error bars. Right: the comparisons of each claim."""
     diff = results.diff()
-    diff = diff[diff["paper"] == paper]
-    values, claims = diff[diff["kind"] == "value"], diff[diff["kind"] == "claim"]
+    diff = diff.loc[diff["paper"] == paper]
+    values, claims = diff.loc[diff["kind"] == "value"], diff.loc[diff["kind"] == "claim"]
     exact = (values["their_error"] == 0) & (values["verdict"] == "match")
-    shown = values[~exact]
+    shown = values.loc[~exact]
     rows = max(len(shown), len(claims), 4)
     shares = {"width_ratios": [1, 1] if len(shown) > 4 else [1, 2]}
     size = (11.0, 1.4 + 0.24 * rows)
     if len(shown):
         drawn, (left, right) = style.figure(1, 2, size=size, gridspec_kw=shares)
-        _draw_values(left, shown, int(exact.sum()))
+        _draw_values(left, shown, list(exact).count(True))
     else:
         drawn, right = style.figure(size=size)
-    _draw_claims(right, claims, results.claims(paper))
+    _draw_claims(right, claims, results.claims(paper), results.tolerance)
     return drawn
 
 
-def _draw_values(axes, values, exact: int) -> None:
+def _draw_values(axes: Axes, values: pd.DataFrame, exact: int) -> None:
     place = np.arange(len(values))
     published = values["published"].to_numpy()
     colours = [COLOURS[verdict] for verdict in values["verdict"]]
     theirs = values["their_error"].to_numpy() / published
     axes.barh(place, 2 * theirs, left=1 - theirs, height=0.7, color="0.85", lw=0)
     ratio, error = values["ours"].to_numpy() / published, values["mcse"].to_numpy() / published
-    axes.errorbar(ratio, place, xerr=error, fmt="none", ecolor=colours)
+    axes.hlines(place, ratio - error, ratio + error, colors=colours)
     axes.scatter(ratio, place, color=colours, s=18, zorder=3)
     axes.axvline(1, color="black", lw=1)
     also = f"; {exact} exact ones match" if exact else ""
@@ -56,21 +58,21 @@ def _draw_values(axes, values, exact: int) -> None:
     )
 
 
-def _draw_claims(axes, claims, parts) -> None:
+def _draw_claims(axes: Axes, claims: pd.DataFrame, parts: pd.DataFrame, tolerance: float) -> None:
     names = list(claims["item"])
     for place, (item, verdict) in enumerate(zip(names, claims["verdict"], strict=True)):
-        part = parts[parts["item"] == item]
+        part = parts.loc[parts["item"] == item]
         with np.errstate(divide="ignore", invalid="ignore"):
             z = part["difference"].to_numpy() / part["mcse"].to_numpy()
         z = np.nan_to_num(np.clip(-z, -LARGEST, LARGEST))
         axes.plot(z, np.full(len(z), place), "|", color=COLOURS[verdict], ms=11, mew=1.6)
-    axes.axvspan(-3, 3, color="0.9", lw=0, zorder=0)
+    axes.axvspan(-tolerance, tolerance, color="0.9", lw=0, zorder=0)
     axes.axvline(0, color="black", lw=1)
     axes.set(
         yticks=np.arange(len(names)),
         yticklabels=[f"{n}: {v}" for n, v in zip(names, claims["verdict"], strict=True)],
         xlim=(-LARGEST - 0.5, LARGEST + 0.5),
-        xlabel="standard errors in favour (grey: undecided)",
+        xlabel=f"standard errors in favour (grey: undecided, within {tolerance:g})",
         title="Claims, every comparison",
     )
     axes.invert_yaxis()
@@ -82,11 +84,11 @@ def tally(results: Results) -> Figure:
     papers = list(dict.fromkeys(diff["paper"]))
     drawn, grid = style.figure(1, 2, size=(9.0, 1.3 + 0.5 * len(papers)), sharey=True)
     for axes, (kind, kinds) in zip(grid, VERDICTS.items(), strict=True):
-        rows = diff[diff["kind"] == kind]
+        rows = diff.loc[diff["kind"] == kind]
         left = np.zeros(len(papers))
         for verdict in kinds:
-            found = (rows["verdict"] == verdict).groupby(rows["paper"]).sum()
-            counts = found.reindex(papers, fill_value=0).to_numpy()
+            of_verdict = list(rows.loc[rows["verdict"] == verdict, "paper"])
+            counts = np.array([of_verdict.count(paper) for paper in papers])
             hatch = "//" if verdict == "undecided" else None
             axes.barh(papers, counts, left=left, color=COLOURS[verdict], hatch=hatch, label=verdict)
             for row, (count, start) in enumerate(zip(counts, left, strict=True)):

@@ -1,9 +1,9 @@
-"""The results as an RO-Crate: tables, verdicts, pages and figures with what they were made of."""
+"""The results as an RO-Crate: tables, verdicts, pages and figures with their parameters."""
 
 import json
 from pathlib import Path
 
-from rocrate.rocrate import ROCrate
+from rocrate.rocrate import ROCrate  # pyright: ignore[reportMissingImports] - extra "archive"
 
 from repro.atomic import atomic_write
 from repro.errors import ReproError
@@ -15,7 +15,7 @@ KINDS = {".csv": "text/csv", ".md": "text/markdown", ".txt": "text/plain", ".png
 def write_archive(manifest: str | Path, licence: str, path: str | Path) -> None:
     """Zip everything of the manifest but the logs, with metadata. Raises ReproError if it is stale.
 
-    The logs stay out for their size: the commit and the seed in the manifest make them again.
+    The logs are left out for their size: the commit and seed in the manifest reproduce them.
     """
     check_manifest(manifest)
     content = json.loads(Path(manifest).read_text())
@@ -30,6 +30,6 @@ def write_archive(manifest: str | Path, licence: str, path: str | Path) -> None:
             digest = content["results"].get(name) or content["parameters"].get(name, "")
             crate.add_file(name, name, properties={"encodingFormat": kind, "sha256": digest})
     if not any(name.endswith("diff.csv") for name in files):
-        raise ReproError(f"{manifest}: names no diff.csv: run snakemake again")
+        raise ReproError(f"{manifest}: does not list diff.csv: run snakemake again")
     with atomic_write(path) as part:
         crate.write_zip(part)

@@ -1,4 +1,4 @@
-"""What the results were made with and of: versions, commit, seed, and a hash of each file."""
+"""Provenance of the results: versions, commit, seed, and a hash of each file."""
 
 import hashlib
 import json
@@ -38,13 +38,13 @@ def write_manifest(
 
 
 def check_manifest(path: str | Path) -> None:
-    """Raise ReproError, naming them, if files are not what they were when the manifest was made."""
+    """Raise ReproError, which names the files, if some differ from the manifest."""
     content = json.loads(Path(path).read_text())
     changed = [
         f"{name} ({'changed' if Path(name).exists() else 'missing'})"
-        for name, known in (content["parameters"] | content["results"]).items()
-        if not Path(name).exists() or sha256(name) != known
+        for name, recorded in (content["parameters"] | content["results"]).items()
+        if not Path(name).exists() or sha256(name) != recorded
     ]
     if changed:
         named = ", ".join(changed[:5]) + (f" and {len(changed) - 5} more" if changed[5:] else "")
-        raise ReproError(f"{path}: not as when it was made: {named}: run snakemake again")
+        raise ReproError(f"{path}: files differ from the manifest: {named}: run snakemake again")

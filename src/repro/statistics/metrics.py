@@ -1,11 +1,11 @@
 """Statistics over trials, each with the Monte Carlo standard error of that very statistic.
 
-What is summed over trials is summed over an axis that holds all of them and nothing else: no
-statistic depends on how the trials were shared out among jobs.
+What is summed over trials is summed over an axis that holds all of them and nothing else, so that
+no statistic depends on the number of shards.
 """
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,13 +13,16 @@ from repro.statistics.shards import Columns
 
 
 class Statistic(NamedTuple):
-    """A statistic over trials; the quantiles are those of the single trials. Shapes () or (k,)."""
+    """A statistic over trials; the quantiles are those of the single trials.
 
-    value: np.ndarray
-    mcse: np.ndarray  # Monte Carlo standard error of value
-    median: np.ndarray
-    q10: np.ndarray
-    q90: np.ndarray
+    Each entry is a number, or an array (steps,) for a statistic of every step.
+    """
+
+    value: Any
+    mcse: Any  # Monte Carlo standard error of value
+    median: Any
+    q10: Any
+    q90: Any
 
 
 class Jackknife(NamedTuple):
@@ -30,11 +33,13 @@ class Jackknife(NamedTuple):
     single: np.ndarray  # (trials,)
 
 
-def _per_step(quantity: np.ndarray | Columns, of_steps: Callable) -> Statistic:
+def _per_step(
+    quantity: np.ndarray | Columns, of_steps: Callable[[np.ndarray], Statistic]
+) -> Statistic:
     """of_steps, a function of (steps, trials), on every step, or on the one number of a trial."""
     if isinstance(quantity, Columns):
-        found = [of_steps(block) for block in quantity.blocks()]
-        return Statistic(*(np.concatenate(parts) for parts in zip(*found, strict=True)))
+        of_blocks = [of_steps(block) for block in quantity.blocks()]
+        return Statistic(*(np.concatenate(parts) for parts in zip(*of_blocks, strict=True)))
     return Statistic(*(values[0] for values in of_steps(quantity[None])))
 
 
@@ -65,7 +70,7 @@ def mean_error(per_trial: np.ndarray) -> np.ndarray:
 def root_mean(squared: np.ndarray | Columns) -> Statistic:
     """Root of the mean over the trials of squared errors, with its jackknife standard error."""
 
-    def of_steps(x):
+    def of_steps(x: np.ndarray) -> Statistic:
         value, left_out = np.sqrt(x.mean(axis=-1)), leave_one_out(x.T, np.sqrt)
         return Statistic(value, jackknife_error(left_out), *_quantiles(np.sqrt(x)))
 
@@ -93,12 +98,17 @@ def root(squared: np.ndarray) -> Jackknife:
 
 def average(numbers: Sequence[Jackknife]) -> Jackknife:
     """Mean of several numbers of the same trials."""
-    total = Jackknife(*(sum(parts) for parts in zip(*numbers, strict=True)))
-    return _scaled(total, 1 / len(numbers))
+    first, *others = numbers
+    value, left_out, single = first
+    for number in others:
+        value = value + number.value
+        left_out = left_out + number.left_out
+        single = single + number.single
+    return _scaled(Jackknife(value, left_out, single), 1 / len(numbers))
 
 
 def _scaled(number: Jackknife, factor: float) -> Jackknife:
-    return Jackknife(*(factor * part for part in number))
+    return Jackknife(factor * number.value, factor * number.left_out, factor * number.single)
 
 
 def statistic(number: Jackknife) -> Statistic:
@@ -106,8 +116,10 @@ def statistic(number: Jackknife) -> Statistic:
     return Statistic(number.value, jackknife_error(number.left_out), *_quantiles(number.single))
 
 
-def leave_one_out(per_trial: np.ndarray, function) -> np.ndarray:
-    """function(mean over all trials but one), one row for each trial left out."""
+def leave_one_out(
+    per_trial: np.ndarray, function: Callable[[np.ndarray], np.ndarray]
+) -> np.ndarray:
+    """function(mean over all trials but one), a row for each trial left out; NaN for one trial."""
     if len(per_trial) < 2:
         return np.full(per_trial.shape, np.nan)
     return function(_rest(per_trial))

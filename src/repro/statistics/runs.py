@@ -1,4 +1,4 @@
-"""What a filter leaves of its runs."""
+"""The result of a filter on the trials of a point."""
 
 from typing import NamedTuple
 
@@ -6,7 +6,7 @@ import numpy as np
 
 
 class Runs(NamedTuple):
-    """What a filter's jobs leave of one (study, point), all trials in order."""
+    """What a filter's jobs keep of one (study, point), all trials in order."""
 
     error: np.ndarray  # (trials, steps, n)
     claimed: np.ndarray | None  # claimed error variances, ([trials,] steps, n)

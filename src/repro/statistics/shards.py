@@ -5,6 +5,7 @@ import itertools
 import os
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +18,7 @@ class Columns:
     """A quantity of every trial and step, from shards (trials, steps); read some steps at a time.
 
     The trials of a step lie end to end, so that no sum over them depends on the shards. Beyond one
-    shard the numbers lie in a temporary file.
+    shard the numbers are in a temporary file.
     """
 
     def __init__(self, shards: Iterator[np.ndarray], trials: Sequence[int]):
@@ -92,13 +93,16 @@ class Shards:
         """How many there are in all shards."""
         return sum(self._trials)
 
-    def each(self, quantity: Callable[[Runs], np.ndarray]) -> np.ndarray | Columns:
-        """A quantity of all trials, from one of a shard's: (trials,), or (trials, steps)."""
-        found = (quantity(runs) for runs in self)
-        first = next(found)
+    def each(self, quantity: Callable[[Runs], np.ndarray]) -> Any:
+        """A quantity of all trials, from one of a shard's.
+
+        An array (trials,) if the quantity is (trials,); Columns if it is (trials, steps).
+        """
+        of_shards = (quantity(runs) for runs in self)
+        first = next(of_shards)
         if first.ndim == 1:
-            return np.concatenate([first, *found])
-        return Columns(itertools.chain([first], found), self._trials)
+            return np.concatenate([first, *of_shards])
+        return Columns(itertools.chain([first], of_shards), self._trials)
 
     def __iter__(self) -> Iterator[Runs]:
         yield self.first

@@ -1,4 +1,4 @@
-"""What the jobs have left under results/, for the tables, claims and figures that need it."""
+"""The files under results/, read for the tables, claims, figures and views."""
 
 import itertools
 from collections.abc import Callable, Mapping
@@ -8,14 +8,13 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from numpy.lib.npyio import NpzFile
 
 from repro import plugins
-from repro.layout import Layout
+from repro.layout import Catalogue, Layout
 from repro.logs import Log, read_log
 from repro.statistics.runs import Runs
-from repro.statistics.shards import Columns, Shards, merged
-
-Catalogue = dict[str, dict[str, list[str]]]  # study -> point -> filters that run on it
+from repro.statistics.shards import Shards, merged
 
 
 class Results:
@@ -26,18 +25,21 @@ class Results:
         root: str | Path,
         catalogue: Catalogue,
         shards: int,
-        analysis: dict[str, dict[str, Any]],
+        analysis: Mapping[str, Mapping[str, Any]],
         tolerance: float,
     ):
-        """`analysis` are the thresholds of each study, `tolerance` is that of the verdicts."""
+        """`shards` is the number of each point's; `analysis` holds the thresholds of each study.
+
+        `tolerance` is that of the verdicts, in standard errors.
+        """
         self.layout, self.catalogue, self.shards = Layout(root), catalogue, range(shards)
         self.tolerance = tolerance
         self._analysis = analysis
 
     def analysis(self, study: str) -> Any:
-        """The thresholds of a study's metrics and claims, of the study's own type."""
+        """The thresholds of a study's metrics and claims, of the study's type `Analysis`."""
         model = plugins.study(study).Analysis
-        return model.checked(self._analysis[study], f"{study}: analysis")
+        return model.checked(self._analysis.get(study, {}), f"{study}: analysis")
 
     def filters(self, study: str, point: str) -> list[str]:
         """Filters that run on a point, in the order of the catalogue of rules."""
@@ -52,7 +54,7 @@ class Results:
         return self._log([self.layout.flight(study, point, filter_, s) for s in self.shards])
 
     def parameters(self, study: str, point: str) -> Any:
-        """The resolved parameters of a point, as its log has them."""
+        """The parameters of a point as its log has them, of the study's type `Parameters`."""
         return read_log(self.layout.log(study, point, 0)).parameters
 
     def each_log(self, study: str, point: str, quantity: Callable[[Log], np.ndarray]) -> np.ndarray:
@@ -76,16 +78,16 @@ class Results:
 
     def each(
         self, study: str, point: str, filter_: str, quantity: Callable[[Runs], np.ndarray]
-    ) -> np.ndarray | Columns:
-        """A quantity of all trials of a filter: (trials,), or Columns of (trials, steps)."""
+    ) -> Any:
+        """A quantity of all trials of a filter, an array or Columns: see `Shards.each`."""
         return self.in_shards(study, point, filter_).each(quantity)
 
     def runs(self, study: str, point: str, filter_: str) -> Runs:
-        """The runs of a filter on a point, for who looks at single trials; else see `each`."""
+        """The runs of a filter on a point, to look at single trials; for statistics use `each`."""
         shards = self.in_shards(study, point, filter_)
         claimed = shards.first.claimed
         if claimed is not None and claimed.ndim == 3:  # else it is the same in every trial
-            claimed = merged(part.claimed for part in shards)
+            claimed = merged(part.claimed for part in shards if part.claimed is not None)
         return Runs(
             error=merged(part.error for part in shards),
             claimed=claimed,
@@ -103,7 +105,7 @@ class Results:
             [len(self._file(study, point, filter_, shard)["trials"]) for shard in self.shards],
         )
 
-    def _file(self, study: str, point: str, filter_: str, shard: int) -> Mapping[str, np.ndarray]:
+    def _file(self, study: str, point: str, filter_: str, shard: int) -> NpzFile:
         return np.load(self.layout.run(study, point, filter_, shard))
 
     def _shard(self, study: str, point: str, filter_: str, shard: int) -> Runs:

@@ -47,7 +47,7 @@ def tabulate(results: Results, study: str, table: str | Path, curves: str | Path
 
 
 def _share_lost(study: Study, analysis: Any, shards: Shards) -> float:
-    """Share of the runs that lost their target; NaN where a study knows no such thing."""
+    """Share of the runs that lost their target; NaN where a study has none to lose."""
     if study.lost(shards.first, analysis) is None:
         return np.nan
-    return shards.each(lambda runs: study.lost(runs, analysis)).mean()
+    return shards.each(lambda runs: np.asarray(study.lost(runs, analysis))).mean()

@@ -3,7 +3,7 @@
 Every part of a claim is put as "this difference is negative" and decided by its standard error.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
@@ -18,7 +18,7 @@ from repro.tables.results import Results
 class Part(NamedTuple):
     """One comparison: the claim says that `difference` is negative."""
 
-    what: str
+    name: str
     difference: float
     mcse: float
 
@@ -32,54 +32,61 @@ class Part(NamedTuple):
         return "fails" if self.difference > margin or self.mcse == 0 else "undecided"
 
 
+Test = Callable[[Results], Iterable[Part]]
+
+
 class Claim(NamedTuple):
+    """A claim of a paper, and the comparisons that decide it."""
+
     item: str
     statement: str
-    test: Callable[[Results], list[Part]]
+    test: Test
 
 
-def claim(registry: list[Claim], item: str, statement: str):
-    """Decorator: put a test under the item's name into a paper's list of claims."""
+def claim(registry: list[Claim], item: str, statement: str) -> Callable[[Test], Test]:
+    """Decorator that adds a test to a paper's list of claims."""
 
-    def register(test):
+    def register(test: Test) -> Test:
         registry.append(Claim(item, statement, test))
         return test
 
     return register
 
 
-def smaller(what: str, first: np.ndarray, second: np.ndarray) -> Part:
-    """The mean of `first` is smaller than that of `second`, paired over trials."""
+def smaller(name: str, first: np.ndarray, second: np.ndarray) -> Part:
+    """The mean of `first` is smaller than that of `second`, paired over trials, (trials,) each."""
     difference = first - second
-    return Part(what, float(difference.mean()), float(metrics.mean_error(difference)))
+    return Part(name, float(difference.mean()), float(metrics.mean_error(difference)))
 
 
-def most(what: str, happens: np.ndarray) -> Part:
-    """More than half of the runs have it; `difference` is one half minus their share."""
+def most(name: str, happens: np.ndarray) -> Part:
+    """More than half of the runs have it, (runs,); `difference` is one half minus their share."""
     share = happens.mean() if len(happens) else np.nan
     error = np.sqrt(share * (1 - share) / max(len(happens), 1))
-    return Part(f"{what} (share {share:.3f} of {len(happens)})", float(0.5 - share), float(error))
+    return Part(f"{name} (share {share:.3f} of {len(happens)})", float(0.5 - share), float(error))
 
 
-def below(what: str, value: float, bound: float) -> Part:
+def below(name: str, value: float, bound: float) -> Part:
     """A number without Monte Carlo error is below a bound."""
-    return Part(f"{what} ({value:.3g} against {bound:.3g})", float(value - bound), 0.0)
+    return Part(f"{name} ({value:.3g} against {bound:.3g})", float(value - bound), 0.0)
 
 
-def overall(verdicts: list[str]) -> str:
+def overall(verdicts: Iterable[str]) -> str:
     """A claim fails if a part fails, and holds if every part holds."""
-    if "fails" in verdicts:
+    distinct = set(verdicts)
+    if "fails" in distinct:
         return "fails"
-    return "holds" if set(verdicts) == {"holds"} else "undecided"
+    return "holds" if distinct == {"holds"} else "undecided"
 
 
 def decide(results: Results, paper: str, path: str | Path) -> None:
-    """Test every claim of a paper; write one row a part."""
+    """Test every claim of a paper; write one row for each part."""
     rows = []
-    for item, statement, test in import_module(f"repro.papers.{paper}.claims").CLAIMS:
+    claims: list[Claim] = import_module(f"repro.papers.{paper}.claims").CLAIMS
+    for item, statement, test in claims:
         for part in test(results):
             rows.append(
-                {"paper": paper, "item": item, "statement": statement, "part": part.what}
+                {"paper": paper, "item": item, "statement": statement, "part": part.name}
                 | {"difference": part.difference, "mcse": part.mcse}
                 | {"verdict": part.verdict(results.tolerance)}
             )

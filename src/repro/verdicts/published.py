@@ -1,6 +1,8 @@
-"""The diff: what the papers print, what came out here, and whether the two agree."""
+"""The published values and claims of the papers against ours, and whether they agree."""
 
+from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -22,42 +24,43 @@ def read_published(path: str | Path) -> pd.DataFrame:
         raise ReproError(f"{path}: cannot be read: {error}") from None
     if list(rows.columns) != COLUMNS:
         raise ReproError(f"{path}: the columns must be {', '.join(COLUMNS)}")
-    for i, row in enumerate(rows.itertuples(), start=2):
-        where = f"{path}: line {i} ({row.item})"
-        if row.kind not in VERDICTS:
-            raise ReproError(f"{where}: kind '{row.kind}' is not one of {', '.join(VERDICTS)}")
-        if row.expect not in VERDICTS[row.kind]:
+    for i, row in enumerate(rows.to_dict("records"), start=2):
+        where, kind, expect = f"{path}: line {i} ({row['item']})", row["kind"], row["expect"]
+        if kind not in VERDICTS:
+            raise ReproError(f"{where}: kind '{kind}' is not one of {', '.join(VERDICTS)}")
+        if expect not in VERDICTS[kind]:
             raise ReproError(
-                f"{where}: expect '{row.expect}' is not one of {', '.join(VERDICTS[row.kind])}"
+                f"{where}: expect '{expect}' is not one of {', '.join(VERDICTS[kind])}"
             )
-        if row.expect not in REPRODUCED and not row.reason:
-            raise ReproError(f"{where}: expect '{row.expect}' needs a reason")
-        if row.kind == "value":
+        if expect not in REPRODUCED and not row["reason"]:
+            raise ReproError(f"{where}: expect '{expect}' needs a reason")
+        if kind == "value":
             for name in ("value", "digits", "trials"):
                 try:
-                    float(getattr(row, name))
+                    float(row[name])
                 except ValueError:
                     raise ReproError(f"{where}: {name} must be a number") from None
     return rows
 
 
 def compare_value(
-    published: float, digits: int, their_trials: int, ours: pd.Series, tolerance: float
-) -> dict:
-    """One published value against our statistic.
+    published: float, digits: int, their_trials: int, ours: Mapping[str, Any], tolerance: float
+) -> dict[str, Any]:
+    """One published value against our statistic, with its `value`, `mcse` and `trials`.
 
-    The paper prints no error of its own: its is taken as our spread over trials at its number of
-    trials. Within `tolerance` standard errors of both, plus half the last printed digit: match.
+    The paper states no standard error: we take our spread over trials at its number of trials.
+    Within `tolerance` standard errors of both, plus half the last printed digit: match.
     """
-    their_error = ours["mcse"] * np.sqrt(ours["trials"] / their_trials)
-    error = np.hypot(ours["mcse"], their_error)
+    value, mcse = float(ours["value"]), float(ours["mcse"])
+    their_error = mcse * float(np.sqrt(ours["trials"] / their_trials))
+    error = float(np.hypot(mcse, their_error))
     rounding = 0.5 * 10.0**-digits
-    difference = ours["value"] - published
+    difference = value - published
     allowed = tolerance * error + rounding
     return {
         "published": published,
-        "ours": ours["value"],
-        "mcse": ours["mcse"],
+        "ours": value,
+        "mcse": mcse,
         "their_error": their_error,
         "allowed": allowed,
         "z": difference / error if error > 0 else np.nan,
@@ -65,51 +68,62 @@ def compare_value(
     }
 
 
-def compare(paper: str, published: pd.DataFrame, tables, claims, tolerance: float, source: str):
-    """Rows of the diff of one paper, in the order of its published file."""
-    index = tables.set_index(KEYS).sort_index()
-    parts = dict(list(claims.groupby("item", sort=False)))
-    for row in published.itertuples():
-        said = {"paper": paper, "item": row.item, "kind": row.kind}
-        if row.kind == "value":
-            key = tuple(getattr(row, name) for name in KEYS)
-            if key not in index.index:
-                raise ReproError(f"{source}: {row.item}: no table has a row for {', '.join(key)}")
+def compare(
+    paper: str,
+    published: pd.DataFrame,
+    tables: pd.DataFrame,
+    claims: pd.DataFrame,
+    tolerance: float,
+    source: str,
+) -> Iterator[dict[str, Any]]:
+    """Rows of the diff of one paper, in the order of its published file.
+
+    Raises ReproError, naming the `source` file, for a row without a result or a claim without row.
+    """
+    ours = {tuple(row[name] for name in KEYS): row for row in tables.to_dict("records")}
+    parts_of = dict(list(claims.groupby("item", sort=False)))
+    for row in published.to_dict("records"):
+        item = row["item"]
+        compared = {"paper": paper, "item": item, "kind": row["kind"]}
+        if row["kind"] == "value":
+            key = tuple(row[name] for name in KEYS)
+            if key not in ours:
+                raise ReproError(f"{source}: {item}: no table has a row for {', '.join(key)}")
             verdict = compare_value(
-                float(row.value), int(row.digits), int(row.trials), index.loc[key], tolerance
+                float(row["value"]), int(row["digits"]), int(row["trials"]), ours[key], tolerance
             )
-            said |= dict(zip(KEYS, key, strict=True)) | verdict | {"evidence": ""}
+            compared |= dict(zip(KEYS, key, strict=True)) | verdict | {"evidence": ""}
         else:
-            if row.item not in parts:
-                raise ReproError(f"{source}: {row.item}: no claim of this name is tested")
-            tested = parts.pop(row.item)
-            verdicts = list(tested["verdict"])
-            said |= {
-                "verdict": overall(verdicts),
-                "statement": tested["statement"].iloc[0],
-                "evidence": _evidence(tested),
+            if item not in parts_of:
+                raise ReproError(f"{source}: {item}: no claim of this name is tested")
+            parts = parts_of.pop(item)
+            compared |= {
+                "verdict": overall(parts["verdict"]),
+                "statement": parts["statement"].iloc[0],
+                "evidence": _evidence(parts),
             }
-        yield said | {
-            "expect": row.expect,
-            "as_expected": said["verdict"] == row.expect,
-            "reason": row.reason,
+        yield compared | {
+            "expect": row["expect"],
+            "as_expected": compared["verdict"] == row["expect"],
+            "reason": row["reason"],
         }
-    if parts:
-        raise ReproError(f"{source}: the tested claim '{next(iter(parts))}' has no row here")
+    if parts_of:
+        raise ReproError(f"{source}: the tested claim '{next(iter(parts_of))}' has no row here")
 
 
 def _evidence(parts: pd.DataFrame) -> str:
+    """How many comparisons decide what, and the least favourable one."""
     counts = parts["verdict"].value_counts()
-    said = ", ".join(f"{counts[v]} {v}" for v in VERDICTS["claim"] if v in counts)
+    tally = ", ".join(f"{counts[v]} {v}" for v in VERDICTS["claim"] if v in counts)
     ratio = parts["difference"] / parts["mcse"].clip(lower=1e-300)
     worst = parts.loc[ratio.fillna(-np.inf).idxmax()]
     return (
-        f"{len(parts)} comparisons: {said}; least favourable: {worst['part']}: "
+        f"{len(parts)} comparisons: {tally}; least favourable: {worst['part']}: "
         f"{worst['difference']:.4g} ± {worst['mcse']:.2g}"
     )
 
 
-def diff(papers: dict[str, dict], tolerance: float) -> pd.DataFrame:
+def diff(papers: Mapping[str, Mapping[str, Any]], tolerance: float) -> pd.DataFrame:
     """Every published value and claim of all papers with its verdict, one row each.
 
     `papers` gives for each paper the files `published`, `claims` and `tables`.
@@ -126,10 +140,10 @@ def diff(papers: dict[str, dict], tolerance: float) -> pd.DataFrame:
 def verify(csv: str | Path) -> None:
     """Raise ReproError if a verdict is not the expected one; the message names each."""
     table = pd.read_csv(csv)
-    surprises = table[~table["as_expected"]]
-    if len(surprises):
-        said = "; ".join(
-            f"{row.paper}, {row.item}: {row.verdict}, expected {row.expect}"
-            for row in surprises.itertuples()
+    surprises = table.loc[~table["as_expected"]].to_dict("records")
+    if surprises:
+        named = "; ".join(
+            f"{row['paper']}, {row['item']}: {row['verdict']}, expected {row['expect']}"
+            for row in surprises
         )
-        raise ReproError(f"{csv}: {said}")
+        raise ReproError(f"{csv}: {named}")

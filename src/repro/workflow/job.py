@@ -1,4 +1,4 @@
-"""What every job of the workflow does around its work: one line on bad input, and its usage."""
+"""What all jobs of the workflow share: one line on bad input, and a record of their usage."""
 
 import resource
 import sys
@@ -6,6 +6,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import NoReturn
 
 from repro.errors import ReproError
 
@@ -14,7 +15,10 @@ USAGE = "usage:"
 
 @contextmanager
 def job(log: str | Path) -> Iterator[None]:
-    """A job's work; its log file gets CPU time and peak memory, or one line on a fault."""
+    """Runs a job's work; its log file gets CPU time and peak memory, or one line on bad input.
+
+    Raises SystemExit with that line for a ReproError or OSError.
+    """
     try:
         yield
         usage = f"cpu_s={time.process_time():.3f} peak_mb={_peak_mb():.1f}"
@@ -27,14 +31,14 @@ def job(log: str | Path) -> Iterator[None]:
         )
 
 
-def _end(log: str | Path, fault: str) -> None:
+def _end(log: str | Path, fault: str) -> NoReturn:
     with suppress(OSError):  # the log may be on the same full disk
         Path(log).write_text(f"error: {fault}\n")
     sys.exit(f"error: {fault}")
 
 
 def _peak_mb() -> float:
-    """Peak resident memory. getrusage would count what the process that started this one held."""
+    """Peak resident memory. getrusage would include that of the process that started this one."""
     status = Path("/proc/self/status")
     if status.exists():
         line = next(line for line in status.read_text().splitlines() if line.startswith("VmHWM"))

@@ -1,4 +1,4 @@
-"""Locks that a killed run left behind, told from those of a run that is alive."""
+"""Removes the locks of a killed run, and leaves those of a run that is alive."""
 
 import fcntl
 from pathlib import Path
@@ -17,7 +17,7 @@ def hold(folder: str | Path) -> TextIO:
     try:
         fcntl.flock(mark, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
-        pass  # another run is alive: its locks are its own affair
+        pass  # another run is alive and needs its locks
     else:
         for left in (folder / "locks").glob("*.lock"):
             left.unlink(missing_ok=True)

@@ -1,7 +1,7 @@
 """Which filters run on which points: filled by the filters' rules, read by everything else."""
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
@@ -9,10 +9,10 @@ from typing import Any
 from repro import filters
 from repro.atomic import atomic_write
 from repro.errors import ReproError
-from repro.layout import Layout
+from repro.layout import Catalogue, Layout
 from repro.parameters.load import Point, on_request
 
-Catalogue = dict[str, dict[str, list[str]]]  # study -> point -> filters, in the order of the rules
+Patterns = str | Sequence[str]  # one or several shell patterns
 
 
 def filter_file(name: str) -> Path:
@@ -21,27 +21,25 @@ def filter_file(name: str) -> Path:
 
 
 def write_catalogue(catalogue: Catalogue, path: str | Path) -> None:
-    """Write the catalogue as JSON, for what is no rule: tests, and a reader's own scripts."""
+    """Write the catalogue as JSON, for tests and for scripts of a reader."""
     with atomic_write(path) as part:
         part.write_text(json.dumps(catalogue, indent=1) + "\n")
 
 
 def matching_points(
-    points: Iterable[str], wanted: str | list[str] = "*", skipped: str | list[str] = ()
+    points: Iterable[str], chosen: Patterns = "*", skipped: Patterns = ()
 ) -> list[str]:
-    """Points that match a pattern of `wanted` and none of `skipped` (shell patterns)."""
-    wanted = [wanted] if isinstance(wanted, str) else wanted
-    skipped = [skipped] if isinstance(skipped, str) else skipped
-    return [
-        point
-        for point in points
-        if any(fnmatchcase(point, pattern) for pattern in wanted)
-        and not any(fnmatchcase(point, pattern) for pattern in skipped)
-    ]
+    """Points that match a pattern of `chosen` and none of `skipped`."""
+    return [p for p in points if _matches(p, chosen) and not _matches(p, skipped)]
+
+
+def _matches(point: str, patterns: Patterns) -> bool:
+    several = [patterns] if isinstance(patterns, str) else patterns
+    return any(fnmatchcase(point, pattern) for pattern in several)
 
 
 class Registry:
-    """The filters of every point, and the files that their jobs leave."""
+    """The filters of every point, and the files that their jobs write."""
 
     def __init__(self, layout: Layout, points: Mapping[str, Mapping[str, Point]], shards: int):
         """`points` are each study's points by name; `shards` the jobs of each point."""
@@ -53,7 +51,9 @@ class Registry:
         self._closed_loops: set[str] = set()
         self._given: dict[str, dict[str, Any]] = {}  # settings that rules give, by filter
 
-    def runs(self, name: str, studies: list[str], points="*", skip=()) -> str:
+    def runs(
+        self, name: str, studies: list[str], points: Patterns = "*", skip: Patterns = ()
+    ) -> str:
         """Output of a filter's rule; registers the filter on the matching points of the studies.
 
         Raises ReproError for an unknown study, and for a pattern that no point matches.
@@ -111,7 +111,9 @@ class Registry:
             for study in studies
         }
 
-    def run_files(self, study: str, points=None, requested: bool = False) -> list[str]:
+    def run_files(
+        self, study: str, points: Collection[str] | None = None, requested: bool = False
+    ) -> list[str]:
         """Runs of all filters on the given (or all) points of a study."""
         return [
             self._layout.run(study, point, name, shard)
@@ -120,7 +122,7 @@ class Registry:
             for shard in self._shards
         ]
 
-    def log_files(self, study: str, points=None) -> list[str]:
+    def log_files(self, study: str, points: Collection[str] | None = None) -> list[str]:
         """Logs of the given (or all) points of a study that a filter runs on."""
         return [
             self._layout.log(study, point, shard)
@@ -138,7 +140,9 @@ class Registry:
             for shard in self._shards
         ]
 
-    def _chosen(self, study: str, points, requested: bool = False):
+    def _chosen(
+        self, study: str, points: Collection[str] | None, requested: bool = False
+    ) -> list[tuple[str, list[str]]]:
         of_study = self.catalogue(study, requested=requested)[study]
         return [(p, filters) for p, filters in of_study.items() if points is None or p in points]
 

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pandas as pd
 
+from repro.layout import Layout
 from repro.workflow.job import USAGE
 
 _USED = re.compile(rf"{USAGE} cpu_s=(?P<cpu_s>[\d.]+) peak_mb=(?P<peak_mb>[\d.]+)")
@@ -13,18 +14,17 @@ _USED = re.compile(rf"{USAGE} cpu_s=(?P<cpu_s>[\d.]+) peak_mb=(?P<peak_mb>[\d.]+
 def timings(root: str | Path) -> pd.DataFrame:
     """One row a rule: jobs, wall s (Snakemake's benchmark files), CPU s and peak MB (the jobs').
 
-    Snakemake samples memory every half second, which short jobs escape; so the jobs say it.
+    The jobs report their memory: Snakemake samples it every half second and misses short jobs.
     """
-    rows = []
-    for benchmark in sorted((Path(root) / "timings").rglob("*.tsv")):
-        place = benchmark.relative_to(Path(root) / "timings")
-        wall = pd.read_csv(benchmark, sep="\t")["s"].iloc[0]
-        log = (Path(root) / "job_logs" / place).with_suffix(".log")
-        used = _USED.search(log.read_text()) if log.exists() else None
-        if used:
+    layout, rows = Layout(root), []
+    for job in layout.timed_jobs():
+        wall = pd.read_csv(layout.timing(*job), sep="\t")["s"].iloc[0]
+        log = Path(layout.job_log(*job))
+        usage = _USED.search(log.read_text()) if log.exists() else None
+        if usage:
             rows.append(
-                {"rule": place.parts[0], "wall_s": wall}
-                | {name: float(value) for name, value in used.groupdict().items()}
+                {"rule": job[0], "wall_s": wall}
+                | {name: float(value) for name, value in usage.groupdict().items()}
             )
     table = pd.DataFrame(rows, columns=["rule", "wall_s", "cpu_s", "peak_mb"])
     by_rule = table.groupby("rule").agg(

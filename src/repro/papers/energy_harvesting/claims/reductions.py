@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from repro.papers.energy_harvesting.compared import PROPOSED
-from repro.run import run
+from repro.runner import run
 from repro.simulate import simulated
 from repro.studies.families.harvesting_sensors import HarvestingParameters
 from repro.tables.results import Results

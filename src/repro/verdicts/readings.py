@@ -1,0 +1,120 @@
+"""Other readings of a paper: what each changes, and what comes out under it."""
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+
+from repro.parameters.load import on_request
+from repro.verdicts.published import KEYS, compare_value
+
+IDENTITY = ("filter", "metric", "component")  # of a statistic of a point
+READING = re.compile(r"(^|-)(reading|as-printed)-")  # in a point's name
+NOT_ASSUMED = {"trials"}  # differs between points without being an assumption about the paper
+
+# `parameters` and settings by filter (`filters`) of each point of a study, as JSON has them.
+Points = Mapping[str, Mapping[str, Any]]
+
+
+class Reading(NamedTuple):
+    """One statistic of one filter under a reading, and under the point that it is a reading of."""
+
+    changes: dict[str, Any]  # values of the reading that differ from the base
+    base: str  # the point
+    filter: str
+    metric: str
+    component: str
+    base_value: float
+    base_mcse: float
+    value: float
+    mcse: float
+    z: float  # difference to the base in standard errors of both
+    published: str  # as printed; empty if the paper has no value for the base
+    base_verdict: str  # against the published value, or empty
+    verdict: str
+
+
+def is_reading(point: str) -> bool:
+    """Whether a point's name says that it is another reading of the paper."""
+    return on_request(point) or READING.search(point) is not None
+
+
+def base_of(point: str, points: Points) -> tuple[str, dict[str, Any]]:
+    """The point that a reading is a reading of, and the values that the reading changes.
+
+    The base is the point, itself no reading, that differs in the fewest values.
+    """
+    values = _flat(points[point])
+    changes = {}
+    for other, content in points.items():
+        if not is_reading(other):
+            base_values = _flat(content)
+            changes[other] = {k: v for k, v in values.items() if base_values.get(k) != v}
+    base = min(changes, key=lambda other: len(changes[other]))
+    return base, changes[base]
+
+
+def _flat(point: Mapping[str, Any]) -> dict[str, Any]:
+    """Parameters, and settings as filter.setting, of a point."""
+    settings = {
+        f"{filter_}.{name}": value
+        for filter_, values in point["filters"].items()
+        for name, value in values.items()
+    }
+    return {k: v for k, v in point["parameters"].items() if k not in NOT_ASSUMED} | settings
+
+
+def readings(
+    table: pd.DataFrame, published: pd.DataFrame, points: Points, tolerance: float
+) -> Iterator[Reading]:
+    """The statistics of a study's table that a reading changes.
+
+    These are the ones with a published value, and those of the table's first metric.
+    """
+    printed = {
+        tuple(row[key] for key in KEYS[1:]): row
+        for row in published.to_dict("records")
+        if row["kind"] == "value"
+    }
+    first_metric = table["metric"].iloc[0]
+    statistics: dict[str, dict[tuple[str, ...], dict]] = {}
+    for row in table.to_dict("records"):
+        key = tuple(row[name] for name in IDENTITY)
+        statistics.setdefault(row["point"], {})[key] = row
+    for point in points:
+        if not is_reading(point):
+            continue
+        base, changes = base_of(point, points)
+        at_base = statistics.get(base, {})
+        for key, ours in statistics.get(point, {}).items():
+            there = at_base.get(key)
+            if there is None or there["value"] == ours["value"]:
+                continue  # the reading does not concern this filter
+            row = printed.get((base, *key))
+            if row is None and key[1] != first_metric:
+                continue
+            yield Reading(
+                changes,
+                base,
+                *key,
+                base_value=there["value"],
+                base_mcse=there["mcse"],
+                value=ours["value"],
+                mcse=ours["mcse"],
+                z=float(
+                    np.divide(ours["value"] - there["value"], np.hypot(ours["mcse"], there["mcse"]))
+                ),
+                published="" if row is None else row["value"],
+                base_verdict=_verdict(row, there, tolerance),
+                verdict=_verdict(row, ours, tolerance),
+            )
+
+
+def _verdict(row: Mapping[str, str] | None, ours: Mapping[str, Any], tolerance: float) -> str:
+    if row is None:
+        return ""
+    return compare_value(
+        float(row["value"]), int(row["digits"]), int(row["trials"]), ours, tolerance
+    )["verdict"]
