@@ -32,7 +32,7 @@ print([name for name in {HEAVY} if name in sys.modules])
     )
     *imported, heavy = done.stdout.split("\n")[:-1]
     wanted = code_files(
-        "repro.workflow.job", "repro.run", f"repro.filters.{name}", f"repro.studies.{study}"
+        "repro.workflow.job", "repro.runner", f"repro.filters.{name}", f"repro.studies.{study}"
     )
     assert [str(Path(file).relative_to(ROOT)) for file in imported] == wanted
     assert heavy == "[]"

@@ -34,6 +34,7 @@ rule claims:
             file for study in PAPERS[wildcards.paper].studies for file in REGISTRY.log_files(study)
         ],
         measured=lambda wildcards: measured_files(wildcards.paper),
+        published="params/published/{paper}.csv",
     output:
         LAYOUT.claims(),
     log:

@@ -71,6 +71,7 @@ class Run(Values):
     log: str | None = None
     study: str | None = None
     point: str | None = None
+    filter: str | None = None
 
 
 def load_paper(path: str | Path) -> Paper:

@@ -85,7 +85,7 @@ class Registry:
         self._given[name] = settings
 
     def settings(self, name: str, study: str, point: str | None = None) -> dict[str, Any]:
-        """Settings of a filter at a point, or by point: as its rule gives them, else from params/."""
+        """Settings at a point, or by point: as the filter's rule gives them, else from params/."""
         if point is None:
             return {p: self.settings(name, study, p) for p in self._points.get(study, {})}
         return self._given.get(name) or self._points[study][point].filters.get(name, {})

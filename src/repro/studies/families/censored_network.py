@@ -270,7 +270,7 @@ class CensoredNetwork(Study):
         return Recorded(received=values, code=codes.astype(int), group_probability=known)
 
     def squared_error(self, runs: Runs) -> np.ndarray:
-        """Squared position error, mean of the targets, at k = 1, 2, ..., (trials, steps), in m^2."""
+        """Squared position error, mean of the targets, from k = 1, (trials, steps), in m^2."""
         return squared_distance(runs)[:, 1:].mean(axis=-1)
 
     def lost(self, runs: Runs, analysis: Analysis) -> np.ndarray:
