@@ -11,6 +11,7 @@ include: "workflow/rules/papers/packet_delays.smk"
 include: "workflow/rules/papers/censored_network.smk"
 include: "workflow/rules/papers/unknown_losses.smk"
 include: "workflow/rules/results.smk"
+include: "workflow/rules/ranking.smk"
 include: "workflow/rules/pages.smk"
 
 
@@ -23,6 +24,7 @@ localrules:
     complexity,
     diff,
     gallery,
+    leaderboard,
     manifest,
     packet_example,
     parameters,

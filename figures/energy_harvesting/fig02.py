@@ -26,7 +26,7 @@ def draw(results: Results) -> Figure:
         else:
             error = np.sqrt(((x - shown["truth"])[1:] ** 2).mean())
             label = f"{style.label(name)}, rms error {error:.2f}"
-            look = style.look(results.catalogue, "ungm", name)
+            look = style.look(results, name)
             axes.plot(k, x[:, 0], lw=1, ms=3.5, label=label, **look)
     ours, theirs = (
         (results.runs("ungm", "base", name).error[:, 1:] ** 2).mean(axis=(1, 2)) for name in SHOWN

@@ -18,7 +18,7 @@ def draw(results: Results) -> Figure:
             axes.plot(x[:, 0], x[:, 2], color="black", lw=1.8, label="truth")
             axes.plot(x[0, 0], x[0, 2], "o", color="black", ms=6, label="start")
         else:
-            look = style.look(results.catalogue, "rss_2d", name)
+            look = style.look(results, name)
             axes.plot(x[1:, 0], x[1:, 2], lw=0.9, ms=3, label=style.label(name), **look)
     sensors = signal_strength.positions(results.parameters("rss_2d", "base"))
     for i, (x, y) in enumerate(sensors, start=1):

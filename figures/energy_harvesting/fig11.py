@@ -18,7 +18,7 @@ def draw(results: Results) -> Figure:
             axes.plot(x[:, 0], x[:, 2], x[:, 4], color="black", lw=1.8, label="truth")
             axes.plot(*x[:1, ::2].T, "o", color="black", ms=6, label="start")
         else:
-            look = style.look(results.catalogue, "rss_3d", name)
+            look = style.look(results, name)
             axes.plot(x[1:, 0], x[1:, 2], x[1:, 4], lw=0.9, ms=3, label=style.label(name), **look)
     sensors = signal_strength.positions(results.parameters("rss_3d", "base"))
     axes.scatter(*zip(*sensors, strict=True), marker="^", color="0.4", s=45, label="sensor")

@@ -28,7 +28,7 @@ def draw(results: Results) -> Figure:
             place = [i for i, point in enumerate(points) if point in rows.index]
             rows = rows.loc[[points[i] for i in place]]
             shift = 0.11 * (filters.index(filter_) - (len(filters) - 1) / 2)
-            look = style.look(results.catalogue, study, filter_)
+            look = style.look(results, filter_)
             at = np.array(place) + shift
             axes.errorbar(
                 rows["value"],

@@ -24,7 +24,7 @@ def draw(results: Results) -> Figure:
     for i, filter_ in enumerate(filters):
         rows = table.loc[table["filter"] == filter_].set_index("point").loc[points]
         place = np.arange(len(points)) + 0.17 * (i - 1.5)
-        color = style.look(results.catalogue, "radar", filter_)["color"]
+        color = style.look(results, filter_)["color"]
         label = "IEKF" if filter_ == "iekf" else style.label(filter_)
         axes.errorbar(
             rows["value"],

@@ -48,12 +48,18 @@ STUDIES = {
     for paper in PAPERS.values()
     for study, points in paper.studies.items()
 }
-ANALYSIS = {study: values for paper in PAPERS.values() for study, values in paper.analysis.items()}
+DESCRIBED = {study: paper.described(study) for paper in PAPERS.values() for study in paper.studies}
 or_exit(check_shards, STUDIES, RUN.shards)
 LAYOUT, FIGURES = Layout(Path(RUN.into, "results")), str(Path(RUN.into, "figures"))
 or_exit(check_writable, LAYOUT.root)
 or_exit(check_writable, FIGURES)
 REGISTRY = Registry(LAYOUT, STUDIES, RUN.shards)
+# Filters that some parameter file ranks; all others are a reader's own.
+RANKED = {
+    f for paper in PAPERS.values() for ranking in paper.ranking.values() for f in ranking.known()
+}
+# Papers with printed values or claims; a study of one's own may have neither.
+JUDGED = [paper for paper in PAPERS if Path("params/published", f"{paper}.csv").exists()]
 ENVIRONMENT = str(Path(workflow.basedir, "workflow/envs/repro.yaml"))
 
 
@@ -77,8 +83,8 @@ def flights(name, studies):
 
 
 def settings(wildcards):
-    """Settings of a paper's filter at the point, from params/."""
-    return STUDIES[wildcards.study][wildcards.point].filters.get(wildcards.filter, {})
+    """Settings of a filter at the point: its rule's, else from params/."""
+    return REGISTRY.settings(wildcards.filter, wildcards.study, wildcards.point)
 
 
 def code(*modules):
@@ -102,7 +108,8 @@ def results_of(studies, requested=False):
         "root": str(LAYOUT.root),
         "catalogue": REGISTRY.catalogue(*studies, requested=requested),
         "shards": RUN.shards,
-        "analysis": {study: ANALYSIS[study] for study in studies},
+        "studies": {study: DESCRIBED[study] for study in studies},
+        "own_filters": REGISTRY.own_filters(RANKED),
         "tolerance": RUN.tolerance,
     }
 
@@ -151,8 +158,10 @@ def figure_inputs(wildcards):
     for study, points in needed.get("points", {}).items():
         files += [*REGISTRY.log_files(study, points), *REGISTRY.run_files(study, points)]
     files += needed.get("measured", [])
+    if needed.get("leaderboard"):
+        files += [LAYOUT.page("leaderboard.csv")]
     if needed.get("diff"):
-        files += [LAYOUT.page("diff.csv"), *(LAYOUT.claims(paper) for paper in PAPERS)]
+        files += [LAYOUT.page("diff.csv"), *(LAYOUT.claims(paper) for paper in JUDGED)]
     return files
 
 

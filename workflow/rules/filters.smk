@@ -250,3 +250,6 @@ use rule run_filter as fly_ekf with:
     output:
         runs("ekf", studies=["quadrotor"]),
         flight=flights("ekf", studies=["quadrotor"]),
+
+
+REGISTRY.read_settings(workflow.rules)

@@ -2,7 +2,7 @@
 rule assumptions:
     input:
         files=PARAMETER_FILES,
-        published=[f"params/published/{paper}.csv" for paper in PAPERS],
+        published=[f"params/published/{paper}.csv" for paper in JUDGED],
         tables=[LAYOUT.table(study) for study in STUDIES],
     output:
         LAYOUT.page("assumptions.md"),
@@ -25,6 +25,7 @@ rule assumptions:
                 "tables": {study: LAYOUT.table(study) for study in content.studies},
             }
             for paper, content in PAPERS.items()
+            if paper in JUDGED
         },
         tolerance=RUN.tolerance,
         code=code("repro.pages.assumptions"),

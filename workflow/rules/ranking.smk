@@ -18,10 +18,10 @@ rule study_figures:
         LAYOUT.job_log("study_figures", "{study}"),
     benchmark:
         LAYOUT.timing("study_figures", "{study}")
-    conda:
-        ENVIRONMENT
     group:
         "figures"
+    conda:
+        ENVIRONMENT
     params:
         results=lambda wildcards: results_of([wildcards.study]),
         code=code("repro.plot.study_figures"),
@@ -56,12 +56,13 @@ else:
         conda:
             ENVIRONMENT
         params:
-            study=RUN.study,
+            study=user_log("study"),
             point=RUN.point,
             filter=RUN.filter,
             settings=REGISTRY.settings(RUN.filter, RUN.study or ""),
             seed=RUN.root_seed,
             trials=RUN.trials or 100,
             tolerance=RUN.tolerance,
+            code=code("repro.inspect.quick_ranking"),
         script:
             "../scripts/quick_leaderboard.py"

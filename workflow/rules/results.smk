@@ -10,6 +10,9 @@ rule table:
             caption="../report/table.rst",
         ),
         curves=LAYOUT.curves(),
+        ranking=LAYOUT.ranking(),
+        over_k=LAYOUT.error_over_k(),
+        shares=LAYOUT.error_shares(),
     log:
         LAYOUT.job_log("table", "{study}"),
     benchmark:
@@ -20,7 +23,7 @@ rule table:
         ENVIRONMENT
     params:
         results=lambda wildcards: results_of([wildcards.study]),
-        code=code("repro.tables.study_tables"),
+        code=code("repro.tables.study_tables", "repro.tables.ranking"),
     script:
         "../scripts/table.py"
 
@@ -52,9 +55,9 @@ rule claims:
 
 rule diff:
     input:
-        published=[f"params/published/{paper}.csv" for paper in PAPERS],
-        claims=[LAYOUT.claims(paper) for paper in PAPERS],
-        tables=[file for paper in PAPERS for file in table_files(paper)],
+        published=[f"params/published/{paper}.csv" for paper in JUDGED],
+        claims=[LAYOUT.claims(paper) for paper in JUDGED],
+        tables=[file for paper in JUDGED for file in table_files(paper)],
     output:
         csv=report(
             LAYOUT.page("diff.csv"),
@@ -78,7 +81,7 @@ rule diff:
                 "claims": LAYOUT.claims(paper),
                 "tables": table_files(paper),
             }
-            for paper in PAPERS
+            for paper in JUDGED
         },
         tolerance=RUN.tolerance,
         code=code("repro.pages.verdicts"),

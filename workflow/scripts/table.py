@@ -1,3 +1,4 @@
+from repro.tables.ranking import tabulate_ranking
 from repro.tables.results import Results
 from repro.tables.study_tables import tabulate
 from repro.workflow.job import job
@@ -5,4 +6,6 @@ from repro.workflow.job import job
 files = snakemake.output
 with job(snakemake.log[0]):
     results = Results(**snakemake.params.results)
-    tabulate(results, snakemake.wildcards.study, files.table, files.curves)
+    study = snakemake.wildcards.study
+    tabulate(results, study, files.table, files.curves)
+    tabulate_ranking(results, study, files.ranking, files.over_k, files.shares)

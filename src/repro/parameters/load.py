@@ -57,6 +57,17 @@ class Paper(NamedTuple):
     run: dict[str, list[str]]  # study -> filters that run on every point without a rule
     examples: dict[str, dict[str, Any]]
 
+    def described(self, study: str) -> dict[str, Any]:
+        """What jobs get to know of a study besides its files: plain values."""
+        return {
+            "analysis": self.analysis[study],
+            "ranking": self.ranking[study].plain(),
+            "points": {
+                name: {"family": point.family, "swept": point.swept}
+                for name, point in self.studies[study].items()
+            },
+        }
+
 
 class Run(Values):
     """What holds for every study, with what --config may add."""

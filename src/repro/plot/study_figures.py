@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from repro import plugins
 from repro.plot import style
-from repro.plot.sweep import BAND
+from repro.plot.style import BAND
 from repro.tables.results import Results
 
 PANELS = 6  # points that a figure has at most
@@ -81,7 +81,7 @@ def distribution(results: Results, study: str) -> Figure:
 
 def _panels(results: Results, study: str) -> tuple[Figure, list[tuple[Axes, str]]]:
     """A figure with one panel for each of the first points of the study's first family."""
-    points = results.points[study]
+    points = results.points(study)
     first = next(iter(points.values()))["family"]
     chosen = [
         p for p, at in points.items() if at["family"] == first and p in results.catalogue[study]
@@ -107,9 +107,7 @@ def _grid(number: int) -> tuple[Figure, list[Axes]]:
 def _sweeps(results: Results, study: str) -> list[tuple[str, str, dict[float, str]]]:
     """(title, swept key, value -> point) of every family that sweeps a number over three points."""
     groups: dict[tuple, dict[float, str]] = {}
-    for point, at in results.points[study].items():
-        if point not in results.catalogue[study]:
-            continue
+    for point, at in results.points(study).items():
         for key, value in at["swept"].items():
             if isinstance(value, int | float) and not isinstance(value, bool):
                 others = tuple((k, str(v)) for k, v in at["swept"].items() if k != key)

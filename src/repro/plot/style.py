@@ -14,12 +14,12 @@ from matplotlib.figure import Figure
 
 from repro import plugins
 from repro.atomic import atomic_write
-from repro.tables.results import Catalogue
+from repro.plot import looks
+from repro.tables.results import Results
 
 # Okabe and Ito's palette: told apart with any kind of colour vision.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999933")
 BAND: float = 2.0  # standard errors on either side of a curve
-MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
 PUBLISHED = dict(color="black", marker="_", linestyle="none", markersize=14, markeredgewidth=1.6)
 
 pyplot.rcParams.update(
@@ -64,11 +64,9 @@ def label(filter_: str) -> str:
     return plugins.filter_module(filter_).LABEL
 
 
-def look(catalogue: Catalogue, study: str, filter_: str) -> dict[str, Any]:
-    """Colour and marker of a filter, by its place in the catalogue: a new filter changes none."""
-    order = list(dict.fromkeys(f for filters in catalogue[study].values() for f in filters))
-    place = order.index(filter_)
-    return {"color": COLOURS[place % len(COLOURS)], "marker": MARKERS[place % len(MARKERS)]}
+def look(results: Results, filter_: str) -> dict[str, Any]:
+    """Colour and marker of a filter, the same in every figure."""
+    return looks.look(filter_, results.own_filters)
 
 
 def plain_log(axes: Axes, which: str = "y") -> None:

@@ -25,7 +25,7 @@ def sweep(
     values = list(points)
     for filter_ in results.filters(study, points[values[0]]):
         rows = table.loc[table["filter"] == filter_].set_index("point").loc[list(points.values())]
-        look = style.look(results.catalogue, study, filter_)
+        look = style.look(results, filter_)
         label = (names or {}).get(filter_, style.label(filter_))
         axes.plot(values, rows["value"], label=label, markersize=4, lw=1.3, **look)
         axes.fill_between(

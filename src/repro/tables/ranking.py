@@ -99,9 +99,9 @@ def tabulate_ranking(results: Results, study: str, table: str, over_k: str, shar
             )
             single = np.quantile(filters[name].error.single, SHARES)
             distributions.append(pd.DataFrame(where | {"share": SHARES, "error": single}))
-        family = results.points[study][point]
+        family = results.points(study)[point]["family"]
         rows += [
-            {"study": study, "family": family["family"], "point": point} | row
+            {"study": study, "family": family, "point": point} | row
             for row in rank_rows(filters, results.ranking(study), results.tolerance)
         ]
     write_csv(rows, table)

@@ -1,7 +1,7 @@
 """The files under results/, read for the tables, claims, figures and views."""
 
 import itertools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ from numpy.lib.npyio import NpzFile
 from repro import plugins
 from repro.layout import Catalogue, Layout
 from repro.logs import Log, read_log
+from repro.parameters.paper_file import Ranking
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards, merged
 
@@ -25,21 +26,37 @@ class Results:
         root: str | Path,
         catalogue: Catalogue,
         shards: int,
-        analysis: Mapping[str, Mapping[str, Any]],
+        studies: Mapping[str, Mapping[str, Any]],
+        own_filters: Sequence[str],
         tolerance: float,
     ):
-        """`shards` is the number of each point's; `analysis` holds the thresholds of each study.
+        """`shards` is the number of each point's.
 
-        `tolerance` is that of the verdicts, in standard errors.
+        `studies` has for each study what `Paper.described` gives; `own_filters` are the filters
+        that no parameter file ranks, a reader's own, in the order of their rules; `tolerance` is
+        that of the verdicts, in standard errors.
         """
         self.layout, self.catalogue, self.shards = Layout(root), catalogue, range(shards)
-        self.tolerance = tolerance
-        self._analysis = analysis
+        self.tolerance, self.own_filters = tolerance, own_filters
+        self._studies = studies
 
     def analysis(self, study: str) -> Any:
         """The thresholds of a study's metrics and claims, of the study's type `Analysis`."""
         model = plugins.study(study).Analysis
-        return model.checked(self._analysis.get(study, {}), f"{study}: analysis")
+        return model.checked(self._studies[study]["analysis"], f"{study}: analysis")
+
+    def ranking(self, study: str) -> Ranking:
+        """Which filters of a study are the paper's, and which measure them."""
+        return Ranking.checked(self._studies[study]["ranking"], f"{study}: ranking")
+
+    def points(self, study: str) -> dict[str, dict[str, Any]]:
+        """`family` and `swept` values of the points on which filters run, by name."""
+        of_study = self._studies[study]["points"]
+        return {point: of_study[point] for point in self.catalogue[study]}
+
+    def and_own(self, study: str, point: str, names: Iterable[str]) -> list[str]:
+        """Filters that a figure names, and a reader's own, as far as they run on the point."""
+        return [f for f in (*names, *self.own_filters) if f in self.filters(study, point)]
 
     def filters(self, study: str, point: str) -> list[str]:
         """Filters that run on a point, in the order of the catalogue of rules."""
@@ -125,6 +142,18 @@ class Results:
     def curves(self, study: str) -> pd.DataFrame:
         """The curves over k of a study, in long form."""
         return pd.read_csv(self.layout.curves(study))
+
+    def ranking_table(self, study: str) -> pd.DataFrame:
+        """How the filters of a study rank: one row a point and filter."""
+        return pd.read_csv(self.layout.ranking(study))
+
+    def error_over_k(self, study: str) -> pd.DataFrame:
+        """The errors by which a study ranks, over the steps."""
+        return pd.read_csv(self.layout.error_over_k(study))
+
+    def error_shares(self, study: str) -> pd.DataFrame:
+        """The distribution of those errors over the runs."""
+        return pd.read_csv(self.layout.error_shares(study))
 
     def diff(self) -> pd.DataFrame:
         """Published values and claims of all papers beside ours, with their verdicts."""

@@ -1,6 +1,7 @@
 """Which filters run on which points: filled by the filters' rules, read by everything else."""
 
 import json
+import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -12,6 +13,8 @@ from repro.errors import ReproError
 from repro.layout import Catalogue, Layout
 from repro.parameters.load import Point, on_request
 
+# The wildcards of a filter's output: see Registry.runs.
+OUTPUT = re.compile(r"\{study,(?P<studies>[\w|]+)\}.*\{filter,(?P<filter>\w+)\}")
 Patterns = str | Sequence[str]  # one or several shell patterns
 
 
@@ -49,7 +52,7 @@ class Registry:
         }
         self._points = points
         self._closed_loops: set[str] = set()
-        self._given: dict[str, dict[str, Any]] = {}  # settings that rules give, by filter
+        self._given: dict[tuple[str, str], dict[str, Any]] = {}  # by filter and study
 
     def runs(
         self, name: str, studies: list[str], points: Patterns = "*", skip: Patterns = ()
@@ -80,15 +83,21 @@ class Registry:
         self._closed_loops.update(studies)
         return self._layout.flight(**_only(name, studies))
 
-    def give(self, name: str, settings: dict[str, Any]) -> None:
-        """Settings of a filter as its rule gives them, for every point."""
-        self._given[name] = settings
+    def read_settings(self, rules: Iterable[Any]) -> None:
+        """Take the settings that the rules of the filters give on the spot."""
+        for rule in rules:
+            given = dict(rule.params.items()).get("settings")
+            wildcards = OUTPUT.search(str(rule.output[0])) if len(rule.output) else None
+            if isinstance(given, dict) and wildcards:
+                for study in wildcards["studies"].split("|"):
+                    self._given[wildcards["filter"], study] = given
 
     def settings(self, name: str, study: str, point: str | None = None) -> dict[str, Any]:
         """Settings at a point, or by point: as the filter's rule gives them, else from params/."""
         if point is None:
             return {p: self.settings(name, study, p) for p in self._points.get(study, {})}
-        return self._given.get(name) or self._points[study][point].filters.get(name, {})
+        of_point = self._points[study][point].filters.get(name, {})
+        return self._given.get((name, study), of_point)
 
     def own_filters(self, known: Iterable[str]) -> list[str]:
         """Filters that are not among the known ones, in the order of their rules."""

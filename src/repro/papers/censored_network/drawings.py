@@ -17,7 +17,7 @@ def look(results: Results, study: str, filter_: str) -> dict:
     """Colour and marker; dead reckoning, the baseline that every filter should beat, is grey."""
     if filter_ in WITHOUT_MODEL:
         return {"color": "0.45", "marker": None, "linestyle": "--"}
-    return style.look(results.catalogue, study, filter_)
+    return style.look(results, filter_)
 
 
 def label(study: str, filter_: str) -> str:

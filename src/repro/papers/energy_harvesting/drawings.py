@@ -41,7 +41,7 @@ class Curve(NamedTuple):
 def all_filters(results: Results, study: str) -> list[Curve]:
     """Every filter that runs on the study's base point."""
     return [
-        Curve(style.label(f), "base", f, style.look(results.catalogue, study, f)["color"])
+        Curve(style.label(f), "base", f, style.look(results, f)["color"])
         for f in results.filters(study, "base")
     ]
 

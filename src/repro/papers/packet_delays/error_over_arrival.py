@@ -26,7 +26,7 @@ def error_over_arrival_probability(results: Results, component: str) -> Figure:
     axes.plot(
         list(points),
         np.sqrt(claimed.loc[list(points.values()), "value"]),
-        color=style.look(results.catalogue, LINEAR, "omvf")["color"],
+        color=style.look(results, "omvf")["color"],
         ls="--",
         lw=1.1,
         label="OMVF's own claim, root of its P(k|k)",
@@ -49,7 +49,7 @@ def _draw_excess(axes: Axes, results: Results, points: dict[float, str], compone
     table = table[(table["metric"] == "rmse") & (table["component"] == component)]
     by_filter = table.pivot(index="point", columns="filter", values="value").loc[names]
     for filter_ in results.filters(LINEAR, names[0]):
-        look = style.look(results.catalogue, LINEAR, filter_)
+        look = style.look(results, filter_)
         percent = 100 * (by_filter[filter_] / by_filter["sun"] - 1)
         axes.plot(list(points), percent, markersize=4, lw=1.3, **look)
     axes.set(

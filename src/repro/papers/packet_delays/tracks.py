@@ -28,7 +28,7 @@ def curves(results: Results, arrival: str, ekf: bool) -> list[Curve]:
     first, second = (tracking_point(bound, arrival) for bound in (1, 2))
     drawn = []
     for filter_ in results.filters(TRACKING, first):
-        look = style.look(results.catalogue, TRACKING, filter_)
+        look = style.look(results, filter_)
         if filter_ == "emvf":
             drawn.append(Curve("EMVF, N = 1", first, filter_, look))
             other = look | {"color": style.COLOURS[3], "marker": "s"}

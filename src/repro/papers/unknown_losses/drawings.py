@@ -40,9 +40,9 @@ def error_over_p(results: Results) -> Figure:
     best = rows_of(table, "rmse_sum", "iekf").loc[list(points.values()), "value"]
     for filter_ in proposed_filters(results.catalogue, study, first):
         rmse = rows_of(table, "rmse_sum", filter_).loc[list(points.values()), "value"]
-        look = style.look(results.catalogue, study, filter_)
+        look = style.look(results, filter_)
         ratio.plot(list(points), rmse / best, ms=4, lw=1.3, label=style.label(filter_), **look)
-    ratio.axhline(1.0, color=style.look(results.catalogue, study, "iekf")["color"], lw=1.3)
+    ratio.axhline(1.0, color=style.look(results, "iekf")["color"], lw=1.3)
     trials = int(table.set_index("point").loc[first, "trials"].iloc[0])
     axes.set(
         ylabel=_sum_over_steps(results, first),
@@ -65,19 +65,19 @@ def particles_needed(results: Results, times: pd.DataFrame) -> Figure:
     label = ""
     for (p, of_numbers), line in zip(sweeps.items(), STYLES, strict=False):
         for filter_ in ("rbpf", "rbpf_fast"):
-            look = style.look(results.catalogue, "linear_losses", filter_)
+            look = style.look(results, filter_)
             taken = times[(times["filter"] == filter_) & (times["loss"] == p)]
             name = f"{style.label(filter_)}, p = {p}"
             clock.plot(taken["particles"], taken["microseconds"], ls=line, ms=4, label=name, **look)
         numbers, points = list(of_numbers), list(of_numbers.values())
         label = _sum_over_steps(results, points[0])
         rows = rows_of(table, "rmse_sum", "rbpf").loc[points]
-        look = style.look(results.catalogue, "linear_losses", "rbpf")
+        look = style.look(results, "rbpf")
         error.errorbar(
             numbers, rows["value"], BAND * rows["mcse"], ls=line, ms=4, label=f"p = {p}", **look
         )
         distinct = rows_of(table, "triples", "rbpf_fast").loc[points, "value"]
-        look = style.look(results.catalogue, "linear_losses", "rbpf_fast")
+        look = style.look(results, "rbpf_fast")
         triples.plot(numbers, distinct, ls=line, ms=4, label=f"p = {p}", **look)
     triples.plot(numbers, numbers, color="black", lw=0.8, label="all different")
     clock.set(yscale="log", ylabel="time of an iteration in µs")
@@ -97,7 +97,7 @@ def _over_time(
 ) -> None:
     period = results.parameters("radar", point).sampling_time
     for filter_ in SHOWN:
-        look: dict[str, Any] = style.look(results.catalogue, "radar", filter_) | {"marker": ""}
+        look: dict[str, Any] = style.look(results, filter_) | {"marker": ""}
         rows = curves[(curves["point"] == point) & (curves["filter"] == filter_)]
         rows = rows[rows["k"] > 0]
         time = rows["k"] * period
@@ -161,7 +161,7 @@ def tracks(results: Results, point: str) -> Figure:
     ends = []
     for filter_, width in zip(SHOWN, (3.4, 2.6, 1.8, 1.0), strict=True):  # equal ones stay visible
         runs = results.runs("radar", point, filter_)
-        look = style.look(results.catalogue, "radar", filter_)
+        look = style.look(results, filter_)
         estimate = truth + runs.error[trial]
         name = RADAR.get(filter_, style.label(filter_))
         plane.plot(estimate[:, 0], estimate[:, 3], lw=width, ms=3, markevery=10, label=name, **look)

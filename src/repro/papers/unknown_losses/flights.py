@@ -29,7 +29,7 @@ def _name(filter_: str) -> str:
 
 
 def _line(results: Results, filter_: str) -> dict[str, Any]:
-    return {"color": style.look(results.catalogue, STUDY, filter_)["color"]} | LINES[filter_]
+    return {"color": style.look(results, filter_)["color"]} | LINES[filter_]
 
 
 def typical_flight(results: Results, point: str, filter_: str) -> int:
