@@ -1,7 +1,6 @@
 """The look of the figures, and the names and colours of the filters in them."""
 
 from pathlib import Path
-from typing import Any
 
 import matplotlib
 
@@ -33,9 +32,7 @@ pyplot.rcParams.update(
 )
 
 
-def figure(
-    rows: int = 1, columns: int = 1, size: tuple[float, float] = (7.0, 4.3), **axes: Any
-) -> tuple[Figure, Any]:
+def figure(rows: int = 1, columns: int = 1, size: tuple[float, float] = (7.0, 4.3), **axes):
     """A figure and its axes."""
     return pyplot.subplots(rows, columns, figsize=size, **axes)
 
@@ -59,7 +56,7 @@ def label(filter_: str) -> str:
     return plugins.filter_module(filter_).LABEL
 
 
-def look(catalogue: Catalogue, study: str, filter_: str) -> dict[str, Any]:
+def look(catalogue: Catalogue, study: str, filter_: str) -> dict:
     """Colour and marker of a filter, by its place in the catalogue: a new filter changes none."""
     order = list(dict.fromkeys(f for filters in catalogue[study].values() for f in filters))
     place = order.index(filter_)
