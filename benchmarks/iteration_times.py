@@ -53,6 +53,7 @@ def main() -> None:
     for point, (parameters, filters) in paper.studies["linear_losses"].items():
         if not point.startswith("particles="):
             continue
+        assert isinstance(parameters, linear_losses.Parameters)
         particles = filters["rbpf"]["particles"]
         block = linear_losses.STUDY.systems_per_block // particles
         trials = min(parameters.trials, max(1, block))

@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from filterpy.kalman import ExtendedKalmanFilter, KalmanFilter
@@ -40,7 +41,7 @@ def filterpy_steps(log: Log, model: Model) -> None:
     """Predict and update of the first trial at every step, as if no packet were lost."""
     n, m = len(model.initial_mean), len(model.measurement_covariance)
     linear = log.study == "linear_losses"
-    filter_ = (KalmanFilter if linear else ExtendedKalmanFilter)(dim_x=n, dim_z=m)
+    filter_: Any = (KalmanFilter if linear else ExtendedKalmanFilter)(dim_x=n, dim_z=m)
     filter_.x, filter_.P = model.initial_mean[:, None].copy(), model.initial_covariance.copy()
     filter_.F = dense(model.transition_jacobian(model.initial_mean, 0), (), n)
     filter_.Q, filter_.R = model.process_covariance, model.measurement_covariance

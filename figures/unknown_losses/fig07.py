@@ -7,7 +7,7 @@ from repro.tables.results import Results
 
 NEEDS = {}
 CAPTION = (
-    "Figure 7. The loop: the estimate is all that the two controllers get. A drawing of what "
+    "Figure 7. The loop: the two controllers see nothing but the estimate. A drawing of what "
     "repro.control.flight does; it depends on no result."
 )
 

@@ -1,4 +1,4 @@
-"""What the unstated choices are worth on the radar at p = 0.5."""
+"""Effect of the choices that the paper leaves open, on the radar at p = 0.5."""
 
 import numpy as np
 from matplotlib.figure import Figure

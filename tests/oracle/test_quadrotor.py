@@ -33,9 +33,9 @@ def flown(log, name):
 @pytest.mark.parametrize("name", ON_THE_ESTIMATE)
 def test_without_losses_every_filter_flies_the_same(name):
     log = disturbances(steps=150, loss_probability=0.0)
-    expected, found = (flown(log, f) for f in ("ekf_no_loss", name))
-    np.testing.assert_allclose(found[0], expected[0], rtol=0, atol=1e-8)
-    np.testing.assert_allclose(found[1].flown["/truth"], expected[1].flown["/truth"], atol=1e-8)
+    expected, ours = (flown(log, f) for f in ("ekf_no_loss", name))
+    np.testing.assert_allclose(ours[0], expected[0], rtol=0, atol=1e-8)
+    np.testing.assert_allclose(ours[1].flown["/truth"], expected[1].flown["/truth"], atol=1e-8)
 
 
 def test_both_algorithms_of_the_rbpf_fly_the_same_to_the_last_bit():

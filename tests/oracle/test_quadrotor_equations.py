@@ -57,13 +57,13 @@ def test_derivative(states):
 
 
 def test_jacobian_entry_by_entry(states):
-    symbolic, found = equations.jacobian(), model.derivative_jacobian(FRAME, *states)
+    symbolic, computed = equations.jacobian(), model.derivative_jacobian(FRAME, *states)
     assert symbolic[:, model.CORE :].is_zero_matrix  # the position drives nothing
     wanted = evaluated(symbolic, states)
     for i, of in enumerate(equations.STATE):
         for j, by in enumerate(equations.STATE[: model.CORE]):
             np.testing.assert_allclose(
-                found[:, i, j],
+                computed[:, i, j],
                 wanted[:, i, j],
                 rtol=1e-11,
                 atol=1e-12,

@@ -41,8 +41,8 @@ def test_without_losses_every_filter_is_the_kalman_filter(study, name):
     sent = log.values | {"/received": log.values["/sensor"]}
     sent["/network"] = np.ones_like(sent["/network"])
     log = log._replace(values=sent)
-    found, wanted = filtered(log, name)[0], filtered(log, "ekf")[0]
-    np.testing.assert_allclose(found, wanted, rtol=1e-10, atol=1e-10)
+    estimate, wanted = filtered(log, name)[0], filtered(log, "ekf")[0]
+    np.testing.assert_allclose(estimate, wanted, rtol=1e-10, atol=1e-10)
 
 
 def test_if_everything_is_lost_nothing_is_used():
@@ -72,8 +72,8 @@ def test_two_steps_by_hand():
         x = [x[i] + cross[i] * e / s for i in two]
         p = [[p[i][j] - cross[i] * cross[j] / s for j in two] for i in two]
     assert x == [Fraction(-331, 962), Fraction(1213, 1924)]
-    found, runs = filtered(log_of([1, -2]), "ekf")
-    np.testing.assert_allclose(found[0, 1], [float(v) for v in x], rtol=1e-14)
+    estimate, runs = filtered(log_of([1, -2]), "ekf")
+    np.testing.assert_allclose(estimate[0, 1], [float(v) for v in x], rtol=1e-14)
     np.testing.assert_allclose(runs.claimed[0, 1], [float(p[i][i]) for i in two], rtol=1e-14)
 
 
@@ -81,7 +81,7 @@ def test_filterpy_agrees_on_the_plain_update():
     kalman = pytest.importorskip("filterpy.kalman")
     log = small_log("linear_losses", "loss=0.5", trials=2, steps=50)
     model = plugins.study("linear_losses").model(log.parameters)
-    found = filtered(log, "ekf")[0]
+    estimate = filtered(log, "ekf")[0]
     for trial, received in enumerate(log.values["/received"]):
         other = kalman.KalmanFilter(dim_x=2, dim_z=1)
         other.x, other.P = model.initial_mean[:, None].copy(), model.initial_covariance.copy()
@@ -92,7 +92,7 @@ def test_filterpy_agrees_on_the_plain_update():
             if k:
                 other.predict()
             other.update(y[:, None])
-            np.testing.assert_allclose(found[trial, k], other.x[:, 0], rtol=1e-9, atol=1e-12)
+            np.testing.assert_allclose(estimate[trial, k], other.x[:, 0], rtol=1e-9, atol=1e-12)
 
 
 @pytest.mark.parametrize("name", ["iekf", "bkf_1", "bkf_2"])
@@ -100,12 +100,12 @@ def test_filterpy_agrees_on_the_plain_update():
 def test_the_printed_algorithms_agree(study, name):
     """Each filter against its algorithm written out in plain matrix algebra, step by step."""
     log = small_log(study, "loss=0.5", trials=4, steps=40)
-    scenario, found = plugins.study(study), filtered(log, name)[0]
+    scenario, estimate = plugins.study(study), filtered(log, name)[0]
     model = scenario.model(log.parameters)
     n, first = len(model.initial_mean), scenario.first_step(log.parameters)
     for trial in range(4):
         x, sigma = model.initial_mean, model.initial_covariance
-        for k in range(first, found.shape[1]):
+        for k in range(first, estimate.shape[1]):
             count = operation_counts.Operations()
             if k > 0:
                 a = dense(model.transition_jacobian(x, k - 1), (), n)
@@ -117,7 +117,7 @@ def test_the_printed_algorithms_agree(study, name):
             at = operation_counts.Linearised(innovation, c, model.measurement_covariance, y)
             known = log.values["/network"][trial, k, 0] if name == "iekf" else 0.5
             x, sigma = getattr(operation_counts, name)(count, x, sigma, at, known)
-            np.testing.assert_allclose(found[trial, k], x, rtol=1e-6, atol=1e-6)
+            np.testing.assert_allclose(estimate[trial, k], x, rtol=1e-6, atol=1e-6)
             assert count.products == (9 if name == "bkf_2" else 7) - (2 if k == 0 else 0)
 
 
@@ -152,18 +152,18 @@ def conditional_moments(log, theta):
 
 def test_exact_is_the_mixture_over_all_sequences():
     log = log_of([1, -2, 0.5, 3, -1], loss_probability=0.3)
-    found, runs = filtered(log, "exact")
+    estimate, runs = filtered(log, "exact")
     mean, variance = conditional_moments(log, 0.7)
-    np.testing.assert_allclose(found[0, -1], mean, rtol=1e-10)
+    np.testing.assert_allclose(estimate[0, -1], mean, rtol=1e-10)
     np.testing.assert_allclose(runs.claimed[0, -1], variance, rtol=1e-10)
 
 
 def test_bkf_2_is_exact_at_the_first_step():
     log = small_log("linear_losses", "loss=0.3", trials=20)
-    (found, runs), (wanted, exact) = (filtered(log, name) for name in ("bkf_2", "exact"))
-    np.testing.assert_allclose(found[:, 0], wanted[:, 0], rtol=1e-12)
+    (estimate, runs), (wanted, exact) = (filtered(log, name) for name in ("bkf_2", "exact"))
+    np.testing.assert_allclose(estimate[:, 0], wanted[:, 0], rtol=1e-12)
     np.testing.assert_allclose(runs.claimed[:, 0], exact.claimed[:, 0], rtol=1e-12)
-    assert np.abs(found[:, 1:] - wanted[:, 1:]).max() > 1e-3  # and not after it
+    assert np.abs(estimate[:, 1:] - wanted[:, 1:]).max() > 1e-3  # and not after it
 
 
 def test_exact_claims_what_it_errs():
@@ -179,8 +179,8 @@ def test_rbpf_approaches_the_exact_estimate_like_root_n(changes):
     exact = filtered(log, "exact")[0]
 
     def distance(particles):
-        found = filtered(log, "rbpf_fast", particles=particles, **changes)[0]
-        return np.sqrt(((found - exact) ** 2).mean())
+        estimate = filtered(log, "rbpf_fast", particles=particles, **changes)[0]
+        return np.sqrt(((estimate - exact) ** 2).mean())
 
     few, many = distance(64), distance(64 * 16)
     assert 2.5 < few / many < 6  # 4 in the limit
@@ -209,10 +209,10 @@ def test_rbpf_approaches_one_ekf_a_sequence_on_the_radar(process):
 )
 def test_fast_rbpf_is_the_rbpf_to_the_last_bit(study, process, changes):
     log = with_parameters(small_log(study, "loss=0.5", trials=7, steps=30), loss_process=process)
-    (found, fast), (wanted, plain) = (
+    (estimate, fast), (wanted, plain) = (
         filtered(log, name, particles=50, **changes) for name in ("rbpf_fast", "rbpf")
     )
-    np.testing.assert_array_equal(found, wanted)
+    np.testing.assert_array_equal(estimate, wanted)
     if plain.claimed is not None:
         np.testing.assert_array_equal(fast.claimed, plain.claimed)
     assert fast.recorded["triples"].mean() < 45
@@ -239,7 +239,7 @@ def test_ikf_errs_as_its_covariance_says():
 
 
 def test_bkf_2_with_its_literal_prior_becomes_the_kalman_filter():
-    """Below (11) lambda is its own prior: after some steps it is 1 for good (or 0)."""
+    """Below (11) lambda is its own prior: after some steps it stays at 1 (or 0)."""
     log = small_log("linear_losses", "loss=0.3", trials=200, steps=200)
     literal = filtered(log, "bkf_2", prior="lambda(k-1)")[0][:, -1]
     distance = np.abs(literal - filtered(log, "ekf")[0][:, -1]).max(axis=-1)
@@ -269,5 +269,5 @@ GOLDEN = {
 @pytest.mark.parametrize("name", GOLDEN)
 def test_recorded_estimates(name):
     """xh(3|3) on y = 1, -2, 0.5, 3 with p = 0.3, to compare other implementations with."""
-    found = filtered(log_of([1, -2, 0.5, 3], loss_probability=0.3), name)[0]
-    np.testing.assert_allclose(found[0, -1], GOLDEN[name], rtol=1e-11)
+    estimate = filtered(log_of([1, -2, 0.5, 3], loss_probability=0.3), name)[0]
+    np.testing.assert_allclose(estimate[0, -1], GOLDEN[name], rtol=1e-11)

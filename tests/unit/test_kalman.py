@@ -67,16 +67,16 @@ def test_a_step_is_the_kalman_filters(n, m):
         np.testing.assert_allclose(estimate[:, i], mean + g * correction, rtol=1e-9, atol=1e-9)
         wanted = sigma - g * gain @ c @ sigma + g * (1 - g) * np.outer(correction, correction)
         np.testing.assert_allclose(unpacked(corrected, n)[..., i], wanted, rtol=1e-8, atol=1e-8)
-        for found, value, matrix in ((likelihood, e, s), (noise, received[i], r)):
+        for computed, value, matrix in ((likelihood, e, s), (noise, received[i], r)):
             density = value @ np.linalg.solve(matrix, value) + np.linalg.slogdet(matrix)[1]
-            assert found[i] == pytest.approx(-0.5 * density)
+            assert computed[i] == pytest.approx(-0.5 * density)
 
 
 def test_sparse_rows():
     matrix = np.array([[1.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.5, 1.0, 1.0]])
     slabs = np.arange(12.0).reshape(3, 4)
-    found = np.empty((3, 4))
-    for row, out in zip(rows(matrix), found, strict=True):
+    computed = np.empty((3, 4))
+    for row, out in zip(rows(matrix), computed, strict=True):
         combine(row, slabs, out)
-    np.testing.assert_array_equal(found, matrix @ slabs)
+    np.testing.assert_array_equal(computed, matrix @ slabs)
     np.testing.assert_array_equal(dense(rows(matrix), (2,), 3), np.stack([matrix, matrix]))

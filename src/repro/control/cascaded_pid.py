@@ -32,7 +32,7 @@ class Settings(NamedTuple):
 
 
 class State(NamedTuple):
-    """What the controller remembers, component-major."""
+    """Memory of the controller, component-major."""
 
     integrals: np.ndarray  # of the errors of roll, pitch, yaw, altitude, (4, flights)
     last: np.ndarray  # U, V, Z of the last estimate, (3, flights)

@@ -1,8 +1,8 @@
 """A quadrotor flown on a filter's estimate: the loop of [unknown_losses Fig. 7].
 
 Order of a step: y(k) -> update -> controller -> plant step with the current rotor speeds -> motor
-step. So y(k + 1) depends on the estimate at k, and every filter flies its own truth under the same
-disturbances. A flight that tumbles, or leaves, is over: its state stays where it was last.
+step. So y(k + 1) depends on the estimate at k, and each filter has its own truth under the same
+disturbances. A flight that tumbles, or leaves, ends: its state stays as it was last.
 """
 
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from repro.network.channels import Channels
 
 
 class System(NamedTuple):
-    """What flies."""
+    """Quadrotor, controller, and the limits beyond which a flight ends."""
 
     frame: quadrotor.Airframe
     motor: quadrotor.Motor

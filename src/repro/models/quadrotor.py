@@ -57,7 +57,7 @@ def motor_step(motor: Motor, speeds: np.ndarray, throttle: np.ndarray, period: f
 
 
 class _Loads(NamedTuple):
-    """What the rotors do to the body, over the inertia it acts on; (batch) each."""
+    """Torques, lift and spin of the rotors over the inertia that they act on; (batch) each."""
 
     roll: np.ndarray
     pitch: np.ndarray

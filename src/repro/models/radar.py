@@ -52,7 +52,7 @@ def measurement_jacobian(x: np.ndarray) -> Rows:
 
 
 def wrapped_innovation(received: np.ndarray, expected: np.ndarray) -> np.ndarray:
-    """Received minus expected, the bearing's taken to [-pi, pi)."""
+    """Received minus expected, (..., 2), the difference of bearings wrapped to [-pi, pi)."""
     difference = received.T - expected.T
     difference[1] -= 2 * np.pi * np.floor((difference[1] + np.pi) / (2 * np.pi))
     return difference.T

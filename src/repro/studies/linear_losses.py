@@ -20,7 +20,7 @@ from repro.parameters.values import (
 )
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
-from repro.statistics.shards import Columns, Shards
+from repro.statistics.shards import Shards
 from repro.studies import Fields, Rows, StreamsOf, Study
 
 COMPONENTS = ("x1", "x2")
@@ -149,9 +149,7 @@ class LinearLosses(Study):
         )
 
     def rows(self, shards: Shards, analysis: Analysis) -> Rows:
-        squared = shards.each(squared_error)
-        assert isinstance(squared, Columns)
-        rmse_sum = metrics.roots_over_steps(squared, average=False)
+        rmse_sum = metrics.roots_over_steps(shards.each(squared_error), average=False)
         yield "rmse_sum", "state", metrics.statistic(rmse_sum)
         mean_squared = shards.each(lambda runs: squared_error(runs).mean(axis=1))
         yield "mse", "state", metrics.mean(mean_squared)

@@ -70,7 +70,7 @@ class Parameters(PointParameters):
     ]
     believed_position_deviation: Annotated[
         NotNegative,
-        Field(description="process noise of the position as the filters have it, m a step"),
+        Field(description="process noise of the position that the filters assume, m a step"),
     ]
     initial_deviations: Annotated[
         tuple[NotNegative, NotNegative, NotNegative, NotNegative],
@@ -160,7 +160,7 @@ def _start(parameters: Parameters) -> np.ndarray:
 
 
 def _wrapped(received: np.ndarray, expected: np.ndarray) -> np.ndarray:
-    """Received minus expected, the angles' differences taken to [-pi, pi)."""
+    """Received minus expected, differences of angles wrapped to [-pi, pi)."""
     difference = received - expected
     angles = difference[..., ANGLES]
     angles -= 2 * np.pi * np.floor((angles + np.pi) / (2 * np.pi))
@@ -219,11 +219,11 @@ class Quadrotor(ClosedLoop):
     Analysis = Analysis
     systems_per_block = 1200
     keeps_inferred_arrivals = True
-    keeps_claimed_variance = False  # none of the tables has it
+    keeps_claimed_variance = False  # no table shows them
     trajectory = (("x", "y"), ("x", "z"))
 
     def topics(self, parameters: Parameters) -> Fields:
-        """Of the disturbances: what is flown under them depends on the filter."""
+        """Fields of the disturbances; the flights under them depend on the filter."""
         return {
             "/process": tuple(f"w_{name}" for name in STATE),
             "/sensor": tuple(f"v_{name}" for name in STATE),
@@ -290,7 +290,7 @@ class Quadrotor(ClosedLoop):
         )
 
     def flight(self, log: Log, estimate: np.ndarray, runs: Runs) -> Log:
-        """The log of what was flown."""
+        """The log of the flights on a filter's estimates (flights, steps, 12)."""
         wanted = reference(log.parameters)
         return log._replace(
             fields={

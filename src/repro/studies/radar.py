@@ -21,7 +21,7 @@ from repro.parameters.values import (
 )
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
-from repro.statistics.shards import Columns, Shards
+from repro.statistics.shards import Shards
 from repro.studies import Fields, Rows, StreamsOf, Study
 
 
@@ -113,7 +113,7 @@ class Radar(Study):
     Parameters = Parameters
     Analysis = Analysis
     systems_per_block = 8000  # few calls of NumPy, whose rows stay in the cache
-    keeps_claimed_variance = False  # none of the tables has it
+    keeps_claimed_variance = False  # no table shows them
     trajectory = (("p1", "p2"),)
 
     def topics(self, parameters: Parameters) -> Fields:
@@ -181,9 +181,8 @@ class Radar(Study):
         return final_error(runs) > analysis.lost_above
 
     def rows(self, shards: Shards, analysis: Analysis) -> Rows:
-        squared = shards.each(squared_error)
-        assert isinstance(squared, Columns)
-        yield "rmse", "position", metrics.statistic(metrics.roots_over_steps(squared))
+        rmse = metrics.roots_over_steps(shards.each(squared_error))
+        yield "rmse", "position", metrics.statistic(rmse)
         yield "final_error", "position", metrics.mean(shards.each(final_error))
         if "triples" in shards.first.recorded:
             triples = shards.each(lambda runs: runs.recorded["triples"][:, 1:].mean(axis=1))

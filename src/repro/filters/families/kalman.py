@@ -2,7 +2,7 @@
 
 An estimate is (n, systems); a symmetric matrix is its upper triangle row by row, packed as
 (n (n + 1) / 2, systems). All work is elementwise over the systems, so that no result depends on
-which others stand beside it, and zeros and ones of a Jacobian cost nothing (repro.models.sparse).
+the others of its batch, and zeros and ones of a Jacobian cost nothing (repro.models.sparse).
 Where matrices are large and dense the products are stacks of small ones, a matrix a system.
 """
 

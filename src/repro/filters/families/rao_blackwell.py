@@ -18,7 +18,7 @@ from repro.network.losses import log_odds
 from repro.parameters.settings import RaoBlackwell
 from repro.streams import Streams
 
-NUMBERS_A_DRAW = 2048  # of a trial, drawn at once, for as many steps as they suffice for
+NUMBERS_PER_DRAW = 2048  # of a trial, for as many steps as they suffice for
 
 
 class Bank(NamedTuple):
@@ -53,7 +53,7 @@ class Draws:
 
     def __init__(self, streams: Streams, particles: int):
         self._streams, self._left = streams, 0
-        self._shape = (max(1, NUMBERS_A_DRAW // (2 * particles)), 2, particles)
+        self._shape = (max(1, NUMBERS_PER_DRAW // (2 * particles)), 2, particles)
         self._ahead = np.empty(0)
 
     def next(self) -> tuple[np.ndarray, np.ndarray]:
@@ -80,7 +80,7 @@ class RaoBlackwellised(ABC):
         self._noise_likelihood = kalman.noise_log_likelihood(model)
 
     def filter(self) -> Filter:
-        """The filter as the runner has it."""
+        """The filter as pure functions of its state."""
         return Filter(
             self.init,
             self.step,
@@ -245,7 +245,7 @@ class ColumnPerTriple(RaoBlackwellised):
     """Algorithm 4: a column a distinct triple; the results are Algorithm 3's to the last bit."""
 
     def filter(self) -> Filter:
-        """The filter as the runner has it, which records how many triples there are."""
+        """The same, which also records the number of distinct triples."""
         return super().filter()._replace(diagnostics=self.diagnostics)
 
     def update(

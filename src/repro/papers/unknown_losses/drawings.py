@@ -46,7 +46,7 @@ def error_over_p(results: Results) -> Figure:
     trials = int(table.set_index("point").loc[first, "trials"].iloc[0])
     axes.set(
         ylabel=_sum_over_steps(results, first),
-        title=f"{trials} runs; bands ±{BAND} standard errors",
+        title=f"{trials} runs; bands ±{BAND:g} standard errors",
     )
     ratio.set(ylabel="the same, relative to the IKF", title="what not knowing the losses costs")
     for part in (axes, ratio):

@@ -14,7 +14,7 @@ from repro.tables.results import Results
 STUDY = "quadrotor"
 NAMES = {"ekf_no_loss": "EKF (no losses)", "iekf": "IEKF (losses known)", "rbpf_fast": "RBPF"}
 IGNORING = "#D55E00"
-# The filters of Figs. 8, 9. Most lie on one another: dashes in turn on the IEKF's line.
+# The filters of Figs. 8, 9. Most overlap: their dashes alternate on the line of the IEKF.
 LINES = {
     "ekf_no_loss": {"lw": 1.4},
     "iekf": {"lw": 2.6},

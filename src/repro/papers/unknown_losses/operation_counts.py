@@ -1,7 +1,7 @@
 """[unknown_losses Algorithms 1-3] as printed, one system and one product at a time, counted.
 
-This is how Table I is regenerated, and what the batched filters are checked against: plain matrix
-algebra, for one trial. Linearisation is not counted, as in the paper.
+Table I is counted here, and tests compare the batched filters with it: plain matrix algebra, for
+one trial. Linearisation is not counted, as in the paper.
 """
 
 from typing import Any, NamedTuple
@@ -131,7 +131,7 @@ def rbpf_particle(
 def counted(model: Model, particles: int) -> dict[str, Operations]:
     """Operations of one iteration of each filter on a system of the model's size.
 
-    What is estimated does not matter: the algorithms do the same products for any values.
+    The values of states and measurements are arbitrary: the products are the same for all.
     """
     n, m = len(model.initial_mean), len(model.measurement_covariance)
     estimate, covariance = np.zeros(n), np.eye(n)

@@ -29,9 +29,7 @@ def thresholds(results: Results) -> Analysis:
 
 def linear(results: Results, point: str, filter_: str) -> Columns:
     """Squared error of every run and step."""
-    squared = results.each(STUDY, point, filter_, linear_losses.squared_error)
-    assert isinstance(squared, Columns)
-    return squared
+    return results.each(STUDY, point, filter_, linear_losses.squared_error)
 
 
 def filters_over_p(results: Results) -> Iterator[tuple[float, str, str]]:
@@ -193,7 +191,7 @@ def needed_particles_depend_on_p(results: Results) -> list[Part]:
     def difference(few_low, most_low, few_high, most_high):
         return few_low / most_low - few_high / most_high
 
-    # Either sign would do: how far 0 lies from the difference.
+    # The claim holds for a difference of either sign, so its size is tested.
     return [
         Part(
             f"relative excess of N={few} over N={most}, p={low} against p={high}: minus its size",
@@ -278,7 +276,6 @@ def most_triples_are_duplicates(results: Results) -> list[Part]:
         distinct = results.each(
             STUDY, points[many], "rbpf_fast", lambda runs: runs.recorded["triples"].mean(axis=1)
         )
-        assert isinstance(distinct, np.ndarray)
         bound = (1 - share) * many
         parts.append(smaller(f"p={p}: distinct of {many} - {bound:g}", distinct, np.full(1, bound)))
     return parts
@@ -340,7 +337,6 @@ def ikf_is_stable(results: Results) -> list[Part]:
             )
             for quarter in (2, 3)
         )
-        assert isinstance(third, np.ndarray) and isinstance(last, np.ndarray)
         parts.append(
             smaller(f"p={p}: last quarter - {factor:g} third quarter", last, factor * third)
         )

@@ -21,16 +21,12 @@ def thresholds(results: Results) -> Analysis:
 
 def distance(results: Results, point: str, filter_: str) -> np.ndarray:
     """rms distance to the reference over each flight, (flights,), in m."""
-    squared = results.each(STUDY, point, filter_, quadrotor.squared_distance)
-    assert isinstance(squared, np.ndarray)
-    return np.sqrt(squared)
+    return np.sqrt(results.each(STUDY, point, filter_, quadrotor.squared_distance))
 
 
 def ended(results: Results, point: str, filter_: str) -> np.ndarray:
     """Which flights tumbled, or left, before the last step, (flights,)."""
-    flights = results.each(STUDY, point, filter_, quadrotor.ended)
-    assert isinstance(flights, np.ndarray)
-    return flights
+    return results.each(STUDY, point, filter_, quadrotor.ended)
 
 
 def flights(results: Results) -> Iterator[tuple[str, str]]:

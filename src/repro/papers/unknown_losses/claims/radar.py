@@ -26,9 +26,7 @@ def thresholds(results: Results) -> Analysis:
 
 def tracking(results: Results, point: str, filter_: str) -> Columns:
     """Squared position error of every run and step, in m^2."""
-    squared = results.each(STUDY, point, filter_, radar.squared_error)
-    assert isinstance(squared, Columns)
-    return squared
+    return results.each(STUDY, point, filter_, radar.squared_error)
 
 
 def proposed(results: Results) -> tuple[str, ...]:
@@ -149,9 +147,7 @@ def iekf_beats_bkf(results: Results) -> list[Part]:
 def lost(results: Results, point: str, filter_: str) -> np.ndarray:
     """Which runs end without the target, (trials,)."""
     analysis = thresholds(results)
-    runs = results.each(STUDY, point, filter_, lambda runs: radar.STUDY.lost(runs, analysis))
-    assert isinstance(runs, np.ndarray)
-    return runs
+    return results.each(STUDY, point, filter_, lambda runs: radar.STUDY.lost(runs, analysis))
 
 
 @claim(
