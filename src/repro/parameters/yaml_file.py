@@ -53,7 +53,9 @@ def _check_plain(content: object, where: str, inside: tuple[int, ...]) -> None:
         case dict():
             for key, value in content.items():
                 if not isinstance(key, str):
-                    raise ParameterError(f"{where}: the key {key!r} is not a string; put it in quotes")
+                    raise ParameterError(
+                        f"{where}: the key {key!r} is not a string; put it in quotes"
+                    )
                 _check_plain(value, f"{where}: {key}", (*inside, id(content)))
         case list():
             for value in content:
@@ -63,6 +65,6 @@ def _check_plain(content: object, where: str, inside: tuple[int, ...]) -> None:
         case int() | float() if abs(content) <= LARGEST:  # not so for nan
             pass
         case int() | float():
-            raise ParameterError(f"{where}: {content:g} is not a finite number of at most {LARGEST:g}")
+            raise ParameterError(f"{where}: is not a finite number of at most {LARGEST:g}")
         case _:
             raise ParameterError(f"{where}: is a {type(content).__name__}; put it in quotes")
