@@ -2,28 +2,31 @@
 
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 from mcap.reader import make_reader
 
-from repro.logs import Log, read_log, write_log
+from repro.logs import read_log, write_log
+from repro.parameters.load import load_paper
+from repro.simulate import simulated
 
-TRIALS, STEPS = 250, 300
-FIELDS = {"/truth": ("x1", "x2"), "/sensor": ("z",), "/received": ("y",), "/network": ("gamma",)}
+ROOT = Path(__file__).parent.parent
+STUDY, POINT, TRIALS = "linear_delays", "arrival=0.5", 250
 
 
-def cpu_us_per_message(function, messages: int) -> float:
+def cpu_us_per_message(function: Callable[[], object], messages: int) -> float:
     start = time.process_time()
     function()
     return (time.process_time() - start) / messages * 1e6
 
 
 def main() -> None:
-    generator = np.random.default_rng(0)
-    values = {t: generator.normal(size=(TRIALS, STEPS, len(f))) for t, f in FIELDS.items()}
-    log = Log("benchmark", "base", 0, {}, np.arange(TRIALS), FIELDS, values)
-    messages = TRIALS * STEPS * len(FIELDS)
+    paper = load_paper(ROOT / "params" / "packet_delays.yaml")
+    parameters = paper.studies[STUDY][POINT].parameters
+    log = simulated(STUDY, POINT, parameters, 1, np.arange(TRIALS))
+    messages = TRIALS * log.steps * len(log.fields)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "0.mcap"
         written = cpu_us_per_message(lambda: write_log(path, log, 1.0), messages)

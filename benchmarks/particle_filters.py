@@ -1,9 +1,9 @@
 """CPU time of the particle kernels: in the papers' filters, and beside the library `particles`.
 
-    PYTHONPATH=src python benchmarks/particle_filters.py
+    python benchmarks/particle_filters.py
 
-Needs the benchmark extra: numba, scikit-learn, joblib and particles 0.4, the last with
-`pip install --no-deps`, since it asks for NumPy 1 (and works with NumPy 2).
+The library needs the `bench` extra and `pip install --no-deps -r
+benchmarks/requirements-particles.txt`, a file that says why.
 
 The common problem: bootstrap filter with systematic resampling at every step, four states at
 constant velocity, four signal-strength sensors with Gaussian noise. Same data, same model.
@@ -12,8 +12,10 @@ constant velocity, four signal-strength sensors with Gaussian noise. Same data, 
 import _as_in_jobs  # noqa: F401  # isort: skip
 
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from time import process_time
+from typing import Any
 
 import numpy as np
 
@@ -79,7 +81,7 @@ def ours(y: np.ndarray, seed: int = 1) -> np.ndarray:
     return estimates
 
 
-def librarys(y: np.ndarray) -> np.ndarray:
+def of_the_library(y: np.ndarray) -> np.ndarray:
     """Estimates (trials, steps, 4) of the library `particles`."""
     import particles
     from particles import distributions as dists
@@ -132,14 +134,14 @@ def bound() -> None:
         distances[:], weights[:] = 1.0, 0.0
 
 
-def timed(work, *arguments) -> tuple[float, object]:
-    """The shortest CPU time of three, in seconds, and what came out."""
+def timed(work: Callable[..., Any], *arguments: Any) -> tuple[float, Any]:
+    """The shortest CPU time of three, in seconds, and the result."""
     times = []
     for _ in range(3):
         start = process_time()
-        found = work(*arguments)
+        result = work(*arguments)
         times.append(process_time() - start)
-    return min(times), found
+    return min(times), result
 
 
 def beside_the_library() -> bool:
@@ -150,11 +152,11 @@ def beside_the_library() -> bool:
     print(f"bootstrap, 4 states, 4 sensors: {mine / each:.0f} ns a particle and step")
     print(f"  its normals, log and exp: {floor / each:.0f} ns; the kernel takes {mine / floor:.1f}")
     try:
-        librarys(y[:1])  # compiles
+        of_the_library(y[:1])  # compiles
     except ImportError as error:
         print(f"  the library is not installed ({error})")
         return False
-    theirs, second = timed(librarys, y)
+    theirs, second = timed(of_the_library, y)
     apart, among_ours = (
         np.sqrt(((first - other)[..., :2] ** 2).sum(axis=-1).mean())
         for other in (second, ours(y, seed=2))
@@ -165,7 +167,7 @@ def beside_the_library() -> bool:
 
 
 def in_the_filters(trials: int = 24) -> bool:
-    paper = load_paper(ROOT / "params" / "censored_network.yaml", ROOT / "workflow" / "schemas")
+    paper = load_paper(ROOT / "params" / "censored_network.yaml")
     fast = True
     for study, points in paper.studies.items():
         base = points["base"]

@@ -31,7 +31,7 @@ def measured(study: str, trials: int, shards: int) -> tuple[str, bytes]:
         )
         wall = time.perf_counter() - begun
         logs = list((Path(into) / "results" / "job_logs").rglob("*.log"))
-        usage = {log: [float(x) for x in USAGE.search(log.read_text()).groups()] for log in logs}
+        usage = {log: [float(x) for x in USAGE.findall(log.read_text())[-1]] for log in logs}
         of_table = [memory for log, (_, memory) in usage.items() if log.parent.name == "table"]
         others = [memory for log, (_, memory) in usage.items() if log.parent.name != "table"]
         cpu = sum(cpu for cpu, _ in usage.values())

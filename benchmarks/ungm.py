@@ -1,17 +1,20 @@
 """CPU time of PF-ROSS-EH a particle and step, and on `ungm` beside the library `particles`.
 
-    PYTHONPATH=src python benchmarks/ungm.py
+    python benchmarks/ungm.py
 
-Needs the benchmark extra: numba, scikit-learn, joblib and particles 0.4, the last with
-`pip install --no-deps`, since it asks for NumPy 1 (and works with NumPy 2). Both run the bootstrap
-filter with systematic resampling at every step and the likelihood (27) on the same data.
+The library needs the `bench` extra and `pip install --no-deps -r
+benchmarks/requirements-particles.txt`, a file that says why. Both run the
+bootstrap filter with systematic resampling at every step and the likelihood of
+[energy_harvesting (27)] on the same data.
 """
 
 import _as_in_jobs  # noqa: F401  # isort: skip
 
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from time import process_time
+from typing import Any
 
 import numpy as np
 
@@ -29,17 +32,17 @@ TRIALS = {"ungm": 1000, "rss_2d": 100}
 AT_LEAST = 3.0  # times faster than the library
 
 
-def timed(work, *arguments) -> tuple[float, object]:
-    """The shortest CPU time of five, in seconds, and what came out."""
+def timed(work: Callable[..., Any], *arguments: Any) -> tuple[float, Any]:
+    """The shortest CPU time of five, in seconds, and the result."""
     times = []
     for _ in range(5):
         start = process_time()
-        found = work(*arguments)
+        result = work(*arguments)
         times.append(process_time() - start)
-    return min(times), found
+    return min(times), result
 
 
-def librarys(log: Log, particles: int, trials: int) -> np.ndarray:
+def of_the_library(log: Log, particles: int, trials: int) -> np.ndarray:
     """Estimates (trials, steps) of the library `particles`."""
     import particles as library
     from particles import distributions as dists
@@ -99,7 +102,7 @@ def librarys(log: Log, particles: int, trials: int) -> np.ndarray:
 
 
 def main() -> bool:
-    paper = load_paper(ROOT / "params" / "energy_harvesting.yaml", ROOT / "workflow" / "schemas")
+    paper = load_paper(ROOT / "params" / "energy_harvesting.yaml")
     fast, took = True, {}
     for study, limit in LIMITS.items():
         base, trials = paper.studies[study]["base"], TRIALS[study]
@@ -114,11 +117,11 @@ def main() -> bool:
     particles = paper.studies["ungm"]["base"].filters["pf_ross_eh"]["particles"]
     trials = 50
     try:
-        librarys(log, particles, 1)  # compiles
+        of_the_library(log, particles, 1)  # compiles
     except ImportError as error:
         print(f"  the library is not installed ({error})")
         return False
-    seconds, theirs = timed(librarys, log, particles, trials)
+    seconds, theirs = timed(of_the_library, log, particles, trials)
     each = trials * log.parameters.steps * particles / 1e9
     print(f"  particles: {seconds / each:.0f} ns, {seconds / each / ours:.1f} times as much")
     errors = [

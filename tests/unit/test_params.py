@@ -3,7 +3,7 @@ import copy
 import pytest
 import yaml
 
-from repro.parameters.load import ParameterError, load_paper, load_run, sources
+from repro.parameters.load import ParameterError, check_shards, load_paper, load_run, sources
 from tests.conftest import ROOT
 
 PAPER = ROOT / "params" / "packet_delays.yaml"
@@ -24,23 +24,27 @@ def changed(tmp_path, path, value):
     return file
 
 
+POINT = ("studies", "linear_delays", "points", 0)
+TRACKING = ("studies", "wsn_tracking")
+
+
 @pytest.mark.parametrize(
-    ("path", "value", "said"),
+    ("path", "value", "message"),
     [
         ((*LINEAR, "steps", "source"), None, "parameters.steps: 'source' is missing; add it"),
         ((*LINEAR, "trials", "why"), None, "parameters.trials: 'why' is missing; add it"),
         (
             (*LINEAR, "trials", "value"),
             0,
-            "parameters.trials: 0 is too small; the least allowed is 1",
+            "parameters.trials: 0 is too small; it must be at least 1",
         ),
-        (
-            (*LINEAR, "stepz"),
-            {"value": 1, "source": "x"},
-            "unknown key 'stepz'; known are trials, ",
-        ),
+        ((*LINEAR, "stepz"), {"value": 1, "source": "x"}, "unknown key 'stepz'; known keys are "),
+        ((*POINT, "names"), "x", "unknown key 'names'; known keys are source, why, name, sweep"),
         ((*LINEAR, "steps"), None, "parameters: 'steps' is missing; add it"),
-        ((*LINEAR, "steps", "value"), "many", "parameters.steps: 'many' is not of type integer"),
+        ((*LINEAR, "steps", "value"), "many", "parameters.steps: 'many' is not an integer"),
+        ((*LINEAR, "steps", "value"), True, "parameters.steps: true is not an integer"),
+        ((*LINEAR, "steps"), 300, "parameters.steps: 300 is not a mapping"),
+        ((*LINEAR, "steps", "source"), "", "steps.source: is empty; it must have at least one"),
         (
             (*LINEAR, "initial_covariance", "value"),
             [[0.1, 0.2], [0.2, 0.1]],
@@ -51,39 +55,49 @@ def changed(tmp_path, path, value):
             [[0.1, 0.2], [0.0, 0.1]],
             "initial_covariance: must be a symmetric matrix",
         ),
+        ((*LINEAR, "measurement_row", "value"), [1.0], "has 1 entry; it must have 2"),
+        ((*LINEAR, "measurement_row", "value"), [1.0] * 3, "has 3 entries; at most 2 allowed"),
         (
-            ("studies", "linear_delays", "points", 0, "sweep", "arrival_probability"),
+            (*TRACKING, "parameters", "sampling_time", "value"),
+            "j",
+            "sampling_time: 'j' is not a number or 'k'",
+        ),
+        ((*TRACKING, "analysis", "lost_above"), None, "analysis: 'lost_above' is missing; add it"),
+        (
+            (*POINT, "sweep", "arrival_probability"),
             [0.1, 1.2],
-            "arrival=1.2: parameters.arrival_probability: 1.2 is too large; the most allowed",
+            "arrival=1.2: parameters.arrival_probability: 1.2 is too large; it must be at most 1",
         ),
-        (
-            ("studies", "linear_delays", "points", 0, "name"),
-            "arrival={probability}",
-            "point name 'arrival={probability}' names no parameter: 'probability'",
-        ),
-        (("studies", "linear_delays", "points", 0, "name"), "same", "two points have this name"),
+        ((*POINT, "sweep", "arrival_probability"), [], "has 0 entries; at least 1 needed"),
+        ((*POINT, "sweep", "nahi.x"), [1], "no settings of a filter 'nahi'; known are omvf"),
+        ((*POINT, "sweep", "omvf.x"), [1], "filters.omvf: unknown key 'x'; known keys are alpha"),
+        ((*POINT, "name"), "a={b}", "point name 'a={b}': there is no parameter or setting 'b'"),
+        ((*POINT, "name"), "{omvf.b}", "there is no parameter or setting 'b'"),
+        ((*POINT, "name"), "{", "point name '{': Single '{' encountered"),
+        ((*POINT, "name"), "a b", "points.0.name: 'a b' has a wrong character; it must match"),
+        ((*POINT, "name"), "same", "two points have this name"),
         (
             ("studies", "linear_delays", "filters", "omvf", "alpha_rule", "value"),
             "8c",
-            "filters.omvf.alpha_rule: '8c' is not one of sum to one, 8b",
+            "filters.omvf.alpha_rule: '8c' is not 'sum to one' or '8b'",
         ),
         (
             ("studies", "no_study"),
             {"parameters": {}, "points": [{"name": "a", "source": "b"}]},
-            "no such",
+            "studies.no_study: study no_study: there is no src/repro/studies/no_study.py",
         ),
     ],
 )
-def test_a_fault_is_one_line_that_names_file_and_key(path, value, said, tmp_path):
+def test_an_error_is_one_line_that_names_file_and_key(path, value, message, tmp_path):
     file = changed(tmp_path, path, value)
     with pytest.raises(ParameterError) as error:
         load_paper(file)
-    message = str(error.value)
-    assert message.startswith(f"{file}: ") and said in message and "\n" not in message
+    line = str(error.value)
+    assert line.startswith(f"{file}: ") and message in line and "\n" not in line
 
 
 @pytest.mark.parametrize("text", ["a: [1", "- 1", "", "\x00"])
-def test_files_that_are_no_mapping(text, tmp_path):
+def test_files_without_a_mapping(text, tmp_path):
     file = tmp_path / "x.yaml"
     file.write_text(text)
     with pytest.raises(ParameterError) as error:
@@ -93,10 +107,10 @@ def test_files_that_are_no_mapping(text, tmp_path):
 
 def test_overrides_of_the_run_are_checked():
     run = ROOT / "params" / "run.yaml"
-    assert load_run(run, {"trials": 5})["trials"] == 5
+    assert load_run(run, {"trials": 5}).trials == 5
     with pytest.raises(ParameterError, match=r"with --config: trials: 0 is too small"):
         load_run(run, {"trials": 0})
-    with pytest.raises(ParameterError, match=r"unknown key 'trails'; known are root_seed"):
+    with pytest.raises(ParameterError, match=r"unknown key 'trails'; known keys are root_seed"):
         load_run(run, {"trails": 5})
 
 
@@ -108,6 +122,40 @@ def test_points_are_resolved():
     assert point.filters["emvf"]["initial_second_moment"] == "P0"
     base = studies["wsn_tracking"]["n2-arrival=0.9"]
     assert base.filters["emvf"]["initial_second_moment"] == "theorem_2"
+
+
+def test_a_sweep_reaches_the_settings_of_filters_and_joins_keys(tmp_path):
+    family = {
+        "name": "rule={omvf.alpha_rule}-bound={packet_bound}",
+        "source": "x",
+        "sweep": {"omvf.alpha_rule": ["sum to one", "8b"], "packet_bound, sine_period": [1, 3]},
+        "set": {"arrival_probability": 0.5},
+    }
+    points = load_paper(changed(tmp_path, POINT, family)).studies["linear_delays"]
+    named = [name for name in points if name.startswith("rule=")]
+    assert named == [f"rule={r}-bound={b}" for r in ("sum to one", "8b") for b in (1, 3)]
+    assert points["rule=8b-bound=3"].filters["omvf"] == {"alpha_rule": "8b", "qbar_sign": 1}
+    parameters = points["rule=8b-bound=3"].parameters
+    assert (parameters.packet_bound, parameters.sine_period) == (3, 3)
+
+
+def test_thresholds_of_the_analysis_are_typed():
+    analysis = load_paper(PAPER).analysis
+    assert analysis == {"linear_delays": {}, "wsn_tracking": {"lost_above": 10.0}}
+
+
+def test_parameters_cannot_be_changed():
+    point = load_paper(PAPER).studies["linear_delays"]["arrival=1.0"]
+    with pytest.raises(ValueError, match="frozen"):
+        point.parameters.steps = 1
+    assert point.with_trials(7).parameters.trials == 7 and point.parameters.trials == 400
+
+
+def test_every_point_has_a_trial_for_every_shard():
+    studies = load_paper(PAPER).studies
+    check_shards(studies, 300)
+    with pytest.raises(ParameterError, match=r"shards: 301 are more than the 300 trials of wsn"):
+        check_shards(studies, 301)
 
 
 def test_every_value_has_a_source_and_every_assumption_a_reason():

@@ -141,7 +141,7 @@ def check_shards(studies: dict[str, dict[str, Point]], shards: int) -> None:
 
 
 def sources(path: str | Path) -> list[dict[str, str]]:
-    """One row a value of a parameter file: where it stands, the value, its source, and why."""
+    """Every value of a parameter file, a row each: its place, the value, its source, and why."""
     content = PaperFile.checked(read_yaml(path), str(path))
     return [
         {
@@ -192,7 +192,10 @@ def _name(pattern: str, parameters: dict, filters: dict, where: str) -> str:
     named = {name: SimpleNamespace(**values) for name, values in filters.items()}
     try:
         return pattern.format(**named | parameters)
-    except (KeyError, IndexError, ValueError, AttributeError) as error:
+    except (KeyError, AttributeError) as error:
+        unknown = error.name if isinstance(error, AttributeError) else error.args[0]
         raise ParameterError(
-            f"{where}: point name '{pattern}' names no parameter: {error}"
+            f"{where}: point name '{pattern}': there is no parameter or setting '{unknown}'"
         ) from None
+    except (IndexError, TypeError, ValueError) as error:
+        raise ParameterError(f"{where}: point name '{pattern}': {error}; fix its braces") from None

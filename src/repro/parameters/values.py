@@ -1,9 +1,9 @@
-"""Typed values: frozen models whose faults are one line each, and the kinds of number they hold."""
+"""Typed values: frozen models whose errors are one line each, and the kinds of number they hold."""
 
 import json
 import re
 from collections.abc import Mapping
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, Self, get_args, get_origin
 
 import numpy as np
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
@@ -13,14 +13,20 @@ from repro.errors import ReproError
 
 # What pydantic adds to the place of a fault where a value may be of several kinds.
 UNION_MEMBER = re.compile(r"constrained-|literal\[|function-|tuple\[|(float|int|str|bool)$")
+BOUNDS = {
+    "greater_than_equal": "at least",
+    "greater_than": "above",
+    "less_than_equal": "at most",
+    "less_than": "below",
+}
 
 
 class ParameterError(ReproError):
-    """A parameter file that says something it must not, or lacks something it must say."""
+    """A parameter file, or --config, with a value that is wrong, unknown or missing."""
 
 
 class Values(BaseModel):
-    """Named values of one kind, checked. Units and bounds stand in the fields."""
+    """Named values, checked and frozen. Bounds and units are in the fields."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
 
@@ -31,11 +37,9 @@ class Values(BaseModel):
             # As JSON, a list may fill a tuple; the types of numbers stay strict.
             return cls.model_validate_json(json.dumps(values))
         except ValidationError as error:
-            fault = error.errors(include_url=False)[0]
-            place = ".".join(str(key) for key in _place(fault))
-            raise ParameterError(
-                f"{where}{'.' if place else ''}{place}: {_fix(fault, cls)}"
-            ) from None
+            place, fix = _place_and_fix(error.errors(include_url=False), cls)
+            inside = "." if ": " in where else ": "  # below a key of the file, or below the file
+            raise ParameterError(f"{where}{inside if place else ''}{place}: {fix}") from None
 
     def plain(self) -> dict[str, Any]:
         """The values as JSON has them."""
@@ -106,42 +110,79 @@ StochasticMatrix = Annotated[
 Rectangular = AfterValidator(_rectangular)
 
 
+def _place_and_fix(faults: list[ErrorDetails], model: type[BaseModel]) -> tuple[str, str]:
+    """Where the first fault lies, and what to do about it."""
+    place = _place(faults[0])
+    # Of a value that may be of several kinds there is a fault for each kind; of a short tuple, one
+    # for each entry that is missing.
+    here = [fault for fault in faults if _place(fault) == place]
+    return ".".join(map(str, place)), _fix(here, model)
+
+
 def _place(fault: ErrorDetails) -> tuple[int | str, ...]:
-    """Where the fault lies; of a missing or unknown key, where it would stand."""
+    """Where the fault lies; of a missing or unknown key, where it would be."""
     place = fault["loc"]
     if fault["type"] in ("missing", "extra_forbidden"):
         place = place[:-1]
     return tuple(key for key in place if not (isinstance(key, str) and UNION_MEMBER.match(key)))
 
 
-def _fix(fault: ErrorDetails, model: type[BaseModel]) -> str:
-    """A fault in words that say what to do."""
-    value, context = fault["input"], fault.get("ctx", {})
+def _fix(faults: list[ErrorDetails], model: type[BaseModel]) -> str:
+    """The faults of one value in words that say what to do."""
+    fault = next((f for f in faults if f["type"] in BOUNDS), faults[0])
+    value, key, context = fault["input"], fault["loc"][-1:], fault.get("ctx", {})
     match fault["type"]:
-        case "missing" if isinstance(fault["loc"][-1], int):
-            return f"has {len(value)} entries; more are needed"
+        case "missing" if isinstance(key[0], int):
+            return f"{_entries(len(value))}; it must have {len(value) + len(faults)}"
         case "missing":
-            return f"'{fault['loc'][-1]}' is missing; add it"
+            return f"'{key[0]}' is missing; add it"
         case "extra_forbidden":
-            known = ", ".join(model.model_fields)
-            return f"unknown key '{fault['loc'][-1]}'; known are {known}"
-        case "greater_than_equal" | "greater_than" | "less_than_equal" | "less_than" as kind:
-            words = {"ge": "at least", "gt": "above", "le": "at most", "lt": "below"}
-            (bound,) = context
+            known = ", ".join(_model_at(model, _place(fault)).model_fields)
+            return f"unknown key '{key[0]}'; known keys are {known or 'none'}"
+        case kind if kind in BOUNDS:
+            (bound,) = context.values()
             size = "small" if kind.startswith("greater") else "large"
-            return f"{value} is too {size}; it must be {words[bound]} {context[bound]:g}"
-        case "literal_error":
-            return f"'{value}' is not one of {context['expected'].replace(chr(39), '')}"
-        case "too_short" | "too_long":
-            return f"has {context['actual_length']} entries; {fault['msg']}"
+            return f"{value} is too {size}; it must be {BOUNDS[kind]} {bound:g}"
+        case "too_short":
+            return f"{_entries(context['actual_length'])}; at least {context['min_length']} needed"
+        case "too_long":
+            return f"{_entries(context['actual_length'])}; at most {context['max_length']} allowed"
+        case "string_too_short":
+            return "is empty; it must have at least one character"
+        case "string_pattern_mismatch":
+            return f"{_shown(value)} has a wrong character; it must match {context['pattern']}"
         case "value_error":
             return str(context["error"])
-        case kind if kind.endswith(("_type", "_parsing", "_from_float")):
-            return f"{value!r} is not {_kind(kind)}"
-    return " ".join(fault["msg"].split())
+    allowed = list(dict.fromkeys(_allowed(fault) for fault in faults))
+    return f"{_shown(value)} is not {' or '.join(allowed)}"
 
 
-def _kind(fault: str) -> str:
-    names = {"int": "an integer", "float": "a number", "bool": "true or false"}
-    names |= {"string": "a string", "tuple": "a list", "model": "a mapping"}
-    return names.get(fault.split("_")[0], f"a {fault.split('_')[0]}")
+def _entries(count: int) -> str:
+    return f"has {count} {'entry' if count == 1 else 'entries'}"
+
+
+def _shown(value: Any) -> str:
+    """A value as it is written in YAML, cut short."""
+    text = json.dumps(value) if value is None or isinstance(value, bool) else repr(value)
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def _allowed(fault: ErrorDetails) -> str:
+    """What a value of the wrong kind should be."""
+    if fault["type"] == "literal_error":
+        return fault.get("ctx", {})["expected"]
+    kinds = {"int": "an integer", "float": "a number", "bool": "true or false"}
+    kinds |= {"string": "a string", "tuple": "a list", "model": "a mapping", "dict": "a mapping"}
+    return kinds.get(fault["type"].split("_")[0], f"a {fault['type'].split('_')[0]}")
+
+
+def _model_at(kind: Any, place: tuple[int | str, ...]) -> type[BaseModel]:
+    """The model that checks what is at a place inside another model."""
+    for key in place:
+        if isinstance(kind, type) and issubclass(kind, BaseModel):
+            kind = kind.model_fields[str(key)].annotation
+        else:  # dict[str, value] or list[value]
+            kind = get_args(kind)[-1]
+        while get_origin(kind) is Annotated:
+            kind = get_args(kind)[0]
+    return kind
