@@ -252,4 +252,19 @@ use rule run_filter as fly_ekf with:
         flight=flights("ekf", studies=["quadrotor"]),
 
 
+# What a filter must beat: drawn in no redrawing of a published figure.
+use rule run_filter as prior with:
+    output:
+        runs(
+            "prior",
+            studies=["linear_delays", "wsn_tracking", "linear_losses", "radar"],
+            points=["arrival=*", "n[0-9]-*", "loss=*"],
+        ),
+
+
+use rule run_filter as prior_of_sensors with:
+    output:
+        runs("prior", studies=["ungm", "rss_2d", "rss_3d"], points="base"),
+
+
 REGISTRY.read_settings(workflow.rules)

@@ -220,6 +220,7 @@ class Quadrotor(ClosedLoop):
     systems_per_block = 1200
     keeps_inferred_arrivals = True
     keeps_claimed_variance = False  # no table shows them
+    error_unit = "m"
     trajectory = (("x", "y"), ("x", "z"))
 
     def topics(self, parameters: Parameters) -> Fields:
@@ -306,6 +307,10 @@ class Quadrotor(ClosedLoop):
                 "/reference": np.broadcast_to(wanted, (len(estimate), *wanted.shape)),
             },
         )
+
+    def squared_error(self, runs: Runs) -> np.ndarray:
+        """Squared distance to the reference, (flights, steps), in m^2."""
+        return runs.recorded["distance"] ** 2
 
     def lost(self, runs: Runs, analysis: Analysis) -> np.ndarray:
         """Which flights ended before the last step, (flights,)."""

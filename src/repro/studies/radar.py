@@ -115,6 +115,7 @@ class Radar(Study):
     systems_per_block = 8000  # few calls of NumPy, whose rows stay in the cache
     keeps_claimed_variance = False  # no table shows them
     trajectory = (("p1", "p2"),)
+    error_unit = "m"
 
     def topics(self, parameters: Parameters) -> Fields:
         return {
@@ -175,6 +176,10 @@ class Radar(Study):
             received=log.values["/received"][trials],
             arrival=log.field("/network", "gamma")[trials],
         )
+
+    def squared_error(self, runs: Runs) -> np.ndarray:
+        """Squared position error at k = 1, 2, ..., (trials, steps), in m^2."""
+        return squared_error(runs)
 
     def lost(self, runs: Runs, analysis: Analysis) -> np.ndarray:
         """Which runs end without the target, (trials,)."""

@@ -70,6 +70,8 @@ class SignalStrengthStudy(HarvestingStudy):
 
     Analysis = SignalStrengthAnalysis
 
+    error_unit = "m"
+
     def period(self, parameters: SignalStrengthParameters) -> float:
         return parameters.sampling_time
 
@@ -88,6 +90,10 @@ class SignalStrengthStudy(HarvestingStudy):
         return harvesting_sensors.measured(
             np.moveaxis(truth, 1, -1), levels, parameters, noise(parameters), streams
         )
+
+    def squared_error(self, runs: Runs) -> np.ndarray:
+        """Squared position error at k = 1, 2, ..., (trials, steps), in m^2."""
+        return harvesting_sensors.squared(runs, range(0, runs.error.shape[-1], 2))[:, 1:]
 
     def lost(self, runs: Runs, analysis: SignalStrengthAnalysis) -> np.ndarray:
         """Which runs have lost the target, (trials,)."""
