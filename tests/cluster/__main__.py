@@ -20,12 +20,18 @@ from tests.workflow.conftest import Project
 PACKAGES = ("slurmctld", "slurmd", "slurm-client", "munge")
 PROGRAMS = ("slurmctld", "slurmd", "srun", "munged")
 
-# A Kalman-type study, one of particles, a censored network and a closed loop; and a picture.
+# One study each of Kalman and particle filters, of a censored network and in a closed loop.
 STUDIES = ("linear_delays", "ungm", "deadband", "quadrotor")
 TABLES = [f"smoke/results/tables/{study}.csv" for study in STUDIES]
 ALONE = "deadband"  # its one point is one job of Slurm
 FIGURE = "smoke/figures/packet_delays/fig01.png"
-MADE = ("logs/*/*/*.mcap", "flights/*/*/*/*.mcap", "runs/*/*/*/*.npz", "tables/*.csv", "curves/*")
+RESULTS = (
+    "logs/*/*/*.mcap",
+    "flights/*/*/*/*.mcap",
+    "runs/*/*/*/*.npz",
+    "tables/*.csv",
+    "curves/*",
+)
 
 
 class Copy(Project):
@@ -42,12 +48,12 @@ class Copy(Project):
         self.keep_first("energy_harvesting", "ungm")
         self.keep_first("unknown_losses", "quadrotor")
 
-    def made(self) -> dict[str, bytes]:
-        return self.bytes_of(*(f"smoke/results/{pattern}" for pattern in MADE), FIGURE)
+    def results(self) -> dict[str, bytes]:
+        return self.bytes_of(*(f"smoke/results/{pattern}" for pattern in RESULTS), FIGURE)
 
 
 class OnSlurm(Copy):
-    """The same command with Slurm's profile; asked more often how the jobs are, to be quick."""
+    """The same command with Slurm's profile; polls the jobs more often, to be quick."""
 
     options = (
         *("--profile", "profiles/smoke", "--workflow-profile", "profiles/slurm"),
@@ -57,10 +63,10 @@ class OnSlurm(Copy):
 
     def forget(self) -> None:
         """Remove the results of the study of one job."""
-        for made in self.folder.glob(f"smoke/results/*/{ALONE}*"):
-            shutil.rmtree(made) if made.is_dir() else made.unlink()
+        for path in self.folder.glob(f"smoke/results/*/{ALONE}*"):
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
 
-    def start_and_meet(self) -> tuple[subprocess.Popen, str, str]:
+    def start_and_wait_for_its_job(self) -> tuple[subprocess.Popen, str, str]:
         """Start what is not done yet; returns in the middle of its job, with job and node."""
         run = self.start(*TABLES, FIGURE)
         simulated = self.folder / f"smoke/results/logs/{ALONE}/base/0.mcap"
@@ -73,49 +79,51 @@ def check_tables(local: Copy, remote: OnSlurm) -> str:
     begun = time.monotonic()
     local.snakemake(*TABLES, FIGURE)
     alone = time.monotonic() - begun
-    said = remote.snakemake(*TABLES, FIGURE)
+    output = remote.snakemake(*TABLES, FIGURE)
     took = time.monotonic() - begun - alone
-    wanted = local.made()
-    assert len(wanted) > len(TABLES) and remote.made() == wanted, "not the same bytes"
+    expected = local.results()
+    assert len(expected) > len(TABLES) and remote.results() == expected, "not the same bytes"
     assert "Nothing to be done" in remote.snakemake(*TABLES, FIGURE)
-    jobs, submitted = (said.count(f"{what} jobid") for what in ("Finished", "with SLURM"))
+    jobs, submitted = (output.count(f"{event} jobid") for event in ("Finished", "with SLURM"))
     return (
-        f"{len(wanted)} files as of a local run, byte for byte: {jobs} jobs in {submitted} of "
+        f"{len(expected)} files as of a local run, byte for byte: {jobs} jobs in {submitted} of "
         f"Slurm's, {took:.0f} s (local {alone:.0f} s)"
     )
 
 
 def check_cancelled(local: Copy, remote: OnSlurm) -> str:
     remote.forget()
-    run, job, node = remote.start_and_meet()
+    run, job, node = remote.start_and_wait_for_its_job()
     remote.cluster.ask("scancel", job)
-    said, _ = run.communicate(timeout=120)
-    assert run.returncode != 0 and f"JOB {job} ON {node} CANCELLED" in said, said
-    return "a job ended by scancel ends the run, which says so"
+    output, _ = run.communicate(timeout=120)
+    assert run.returncode != 0 and f"JOB {job} ON {node} CANCELLED" in output, output
+    return "a job ended by scancel ends the run with an error"
 
 
 def check_node_down(local: Copy, remote: OnSlurm) -> str:
-    """The command again after scancel: it does what that left undone, and loses its node."""
+    """The same command after scancel resumes, and its job loses its node."""
     cluster = remote.cluster
-    run, job, node = remote.start_and_meet()
+    run, job, node = remote.start_and_wait_for_its_job()
     cluster.ask("scontrol", "update", f"nodename={node}", "state=DOWN", "reason=test")
     # Slurm holds a job that lost its node for two minutes; its first copy may live on meanwhile.
     wait(
         lambda: cluster.ask("squeue", "-h", "-j", job, "-o", "%r").strip() == "BeginTime", "requeue"
     )
     cluster.ask("scontrol", "update", f"jobid={job}", "starttime=now")
-    said, _ = run.communicate(timeout=180)
-    assert run.returncode == 0, said
-    assert remote.made() == local.made(), "not the same bytes"
+    output, _ = run.communicate(timeout=180)
+    assert run.returncode == 0, output
+    assert remote.results() == local.results(), "not the same bytes"
     shown = cluster.ask("scontrol", "show", "job", job)
     assert "Restarts=1" in shown and f" NodeList={node}\n" not in shown, shown
-    return "the same command again, with a node set DOWN in mid-run, completes with the same bytes"
+    return (
+        "the same command resumes; with a node set DOWN in mid-run it completes with the same bytes"
+    )
 
 
-def wait(condition: Callable[[], object], what: str) -> None:
+def wait(condition: Callable[[], object], event: str) -> None:
     end = time.monotonic() + 60
     while not condition():
-        assert time.monotonic() < end, f"{what} did not come within 60 s"
+        assert time.monotonic() < end, f"{event} did not come within 60 s"
         time.sleep(0.1)
 
 
@@ -147,26 +155,30 @@ def main() -> int:
     begun = time.monotonic()
     failed = False
 
-    def say(what: str) -> None:
-        print(f"{time.monotonic() - begun:4.0f} s  {what}", flush=True)
+    def report(line: str) -> None:
+        print(f"{time.monotonic() - begun:4.0f} s  {line}", flush=True)
 
     with tempfile.TemporaryDirectory(prefix="slurm-") as name:
         folder = Path(name)
         cluster = Slurm(folder)
         try:
             with cluster.up():
-                say("Slurm is up, with two nodes")
+                report("Slurm is up, with two nodes")
                 local, remote = Copy(folder / "local", cluster), OnSlurm(folder / "remote", cluster)
                 for check in (check_tables, check_cancelled, check_node_down):
-                    say(f"ok: {check(local, remote)}")
+                    report(f"ok: {check(local, remote)}")
         except (AssertionError, TimeoutError, subprocess.SubprocessError) as error:
-            say(f"FAILED: {error}")
+            report(f"FAILED: {error}")
             failed = True
         except KeyboardInterrupt:
-            say("FAILED: stopped")
+            report("FAILED: stopped")
             failed = True
         left = cluster.processes()
-        say(f"FAILED: left are {left}" if left else "ok: Slurm is down, and no process is left")
+        report(
+            f"FAILED: still running: {left}"
+            if left
+            else "ok: Slurm is down, and no process remains"
+        )
     return int(failed or bool(left))
 
 

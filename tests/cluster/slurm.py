@@ -13,7 +13,7 @@ from pathlib import Path
 
 NODES = ("n1", "n2")
 
-_CONFIGURATION = """\
+CONFIGURATION = """\
 ClusterName=test
 SlurmctldHost={host}(127.0.0.1)
 SlurmctldPort={ports[0]}
@@ -49,7 +49,7 @@ NodeName=n1 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[1]} CPUs=1 RealMe
 NodeName=n2 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[2]} CPUs=1 RealMemory=2000
 PartitionName=main Nodes=n1,n2 Default=YES State=UP
 """
-_NO_CGROUPS = "CgroupPlugin=cgroup/v1\nConstrainCores=no\nConstrainRAMSpace=no\n"
+NO_CGROUPS = "CgroupPlugin=cgroup/v1\nConstrainCores=no\nConstrainRAMSpace=no\n"
 
 
 class Slurm:
@@ -74,20 +74,20 @@ class Slurm:
 
     def processes(self) -> dict[int, str]:
         """Every process that was started under this Slurm's configuration, daemons included."""
-        found = {}
+        processes = {}
         for process in Path("/proc").glob("[0-9]*"):
             try:
                 if self.mark.encode() in (process / "environ").read_bytes().split(b"\0"):
-                    found[int(process.name)] = (process / "comm").read_text().strip()
+                    processes[int(process.name)] = (process / "comm").read_text().strip()
             except (OSError, ValueError):
                 continue  # ended meanwhile
-        return found
+        return processes
 
     @contextmanager
     def up(self) -> Iterator[None]:
         """Bring Slurm up; at the end take down every process of it, its jobs' included.
 
-        Raises TimeoutError, with what the daemons said, if it does not come up.
+        Raises TimeoutError, with the output of the daemons, if it does not come up.
         """
         daemons = []
         try:
@@ -139,8 +139,8 @@ class Slurm:
         end = time.monotonic() + 30
         while not condition():
             if time.monotonic() > end:
-                said = "".join(path.read_text() for path in self.folder.glob("*.out"))
-                raise TimeoutError(f"Slurm does not come up: {said}")
+                output = "".join(path.read_text() for path in self.folder.glob("*.out"))
+                raise TimeoutError(f"Slurm does not come up: {output}")
             time.sleep(0.2)
 
 
@@ -151,9 +151,9 @@ def _write_files(folder: Path) -> None:
     key.touch(0o600)
     key.write_bytes(secrets.token_bytes(1024))
     host = socket.gethostname().split(".")[0]
-    configuration = _CONFIGURATION.format(folder=folder, host=host, ports=_free_ports(3))
+    configuration = CONFIGURATION.format(folder=folder, host=host, ports=_free_ports(3))
     (folder / "slurm.conf").write_text(configuration)
-    (folder / "cgroup.conf").write_text(_NO_CGROUPS)
+    (folder / "cgroup.conf").write_text(NO_CGROUPS)
     # Snakemake's step in a job takes SLURM_* out of the environment before it calls srun.
     wrapper = folder / "bin" / "srun"
     wrapper.parent.mkdir()

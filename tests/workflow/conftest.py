@@ -33,11 +33,11 @@ class Project:
                 shutil.copy(source, folder / name)
 
     def snakemake(self, *arguments: str, fails: bool = False) -> str:
-        """Run Snakemake; returns all that it prints."""
+        """Run Snakemake; returns its output."""
         run = self.start(*arguments)
-        said, _ = run.communicate(timeout=600)
-        assert (run.returncode != 0) == fails, said
-        return said
+        output, _ = run.communicate(timeout=600)
+        assert (run.returncode != 0) == fails, output
+        return output
 
     def start(self, *arguments: str) -> subprocess.Popen:
         """Start Snakemake, in a process group of its own."""

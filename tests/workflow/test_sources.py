@@ -1,4 +1,4 @@
-"""code() names exactly the modules that a job imports, so that an edit reruns what it must."""
+"""The digest of a rule covers exactly the modules that its job imports, no more, no less."""
 
 import subprocess
 import sys
@@ -16,11 +16,12 @@ HEAVY = ("pandas", "matplotlib", "scipy.stats")
 def test_code_agrees_with_what_a_fresh_process_imports(name, study, point):
     script = f"""
 import sys
+import repro.runner
 import repro.workflow.job
-from repro.runner import filter_module, study_module
+from repro import plugins
 plugins.filter_module("{name}"), plugins.study("{study}")
-mine = [module for name, module in sys.modules.items() if name.split(".")[0] == "repro"]
-print("\\n".join(sorted(module.__file__ for module in mine)))
+modules = [module for name, module in sys.modules.items() if name.split(".")[0] == "repro"]
+print("\\n".join(sorted(module.__file__ for module in modules)))
 print([name for name in {HEAVY} if name in sys.modules])
 """
     done = subprocess.run(
@@ -31,16 +32,16 @@ print([name for name in {HEAVY} if name in sys.modules])
         env={"PYTHONPATH": str(ROOT / "src")},
     )
     *imported, heavy = done.stdout.split("\n")[:-1]
-    wanted = code_files(
+    named = code_files(
         "repro.workflow.job", "repro.runner", f"repro.filters.{name}", f"repro.studies.{study}"
     )
-    assert [str(Path(file).relative_to(ROOT)) for file in imported] == wanted
+    assert [str(Path(file).relative_to(ROOT)) for file in imported] == named
     assert heavy == "[]"
 
 
-def test_figures_say_what_they_read():
+def test_figures_declare_what_they_read():
     scripts = sorted((ROOT / "figures").glob("*/*.py"))
     assert scripts
     for script in scripts:
-        found = constants(str(script))
-        assert isinstance(found["NEEDS"], dict) and found["CAPTION"], script
+        declared = constants(str(script))
+        assert isinstance(declared["NEEDS"], dict) and declared["CAPTION"], script

@@ -21,7 +21,7 @@ from repro.parameters.paper_file import (
 )
 from repro.parameters.settings import checked_settings
 from repro.parameters.values import ParameterError, PointParameters, Positive, Values
-from repro.parameters.yaml_file import read_yaml
+from repro.parameters.yaml_file import check_plain, read_yaml
 
 # Points whose names begin so take minutes: they run only where they are asked for.
 ON_REQUEST = "sensitivity-"
@@ -78,11 +78,15 @@ class Run(Values):
     ]
     tolerance: Annotated[Positive, Field(description="standard errors that decide a verdict")]
     trials: Annotated[int, Field(ge=1, description="trials of every point")] | None = None
-    into: Annotated[str, Field(pattern=r"^[A-Za-z0-9_./-]+$")] = "."
-    log: str | None = None
-    study: str | None = None
-    point: str | None = None
-    filter: str | None = None
+    into: Annotated[
+        str, Field(pattern=r"^[A-Za-z0-9_./-]+$", description="folder of results and figures")
+    ] = "."
+    log: Annotated[str, Field(description="MCAP file recorded elsewhere")] | None = None
+    study: Annotated[str, Field(description="study that the log is of")] | None = None
+    point: Annotated[str, Field(description="point that the log is of")] | None = None
+    filter: Annotated[str, Field(description="filter that the leaderboard is asked for")] | None = (
+        None
+    )
 
 
 def load_paper(path: str | Path) -> Paper:
@@ -126,7 +130,9 @@ def load_paper(path: str | Path) -> Paper:
 def load_run(path: str | Path, overrides: dict[str, Any]) -> Run:
     """What holds for every study, with `--config` overrides (trials, shards, into ...)."""
     values = plain(dict(RunFile.checked(read_yaml(path), str(path))))
-    return Run.checked(values | overrides, f"{path} with --config")
+    where = f"{path} with --config"
+    check_plain(overrides, where)
+    return Run.checked(values | overrides, where)
 
 
 def check_shards(studies: dict[str, dict[str, Point]], shards: int) -> None:

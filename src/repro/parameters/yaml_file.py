@@ -25,7 +25,7 @@ def read_yaml(path: str | Path) -> dict:
         raise ParameterError(f"{path}: {repeated}")
     if not isinstance(content, dict):
         raise ParameterError(f"{path}: not a mapping of keys to values")
-    _check_plain(content, str(path), ())
+    check_plain(content, str(path))
     return content
 
 
@@ -45,7 +45,7 @@ def _repeated_key(node: yaml.Node | None, seen: set[int]) -> str | None:
     return next(filter(None, (_repeated_key(value, seen) for value in inner)), None)
 
 
-def _check_plain(content: object, where: str, inside: tuple[int, ...]) -> None:
+def check_plain(content: object, where: str, inside: tuple[int, ...] = ()) -> None:
     """Raise ParameterError for what YAML has and JSON has not: here it is a typing error."""
     if id(content) in inside:
         raise ParameterError(f"{where}: contains itself; remove the alias")
@@ -56,10 +56,10 @@ def _check_plain(content: object, where: str, inside: tuple[int, ...]) -> None:
                     raise ParameterError(
                         f"{where}: the key {key!r} is not a string; put it in quotes"
                     )
-                _check_plain(value, f"{where}: {key}", (*inside, id(content)))
+                check_plain(value, f"{where}: {key}", (*inside, id(content)))
         case list():
             for value in content:
-                _check_plain(value, where, (*inside, id(content)))
+                check_plain(value, where, (*inside, id(content)))
         case None | str() | bool():
             pass
         case int() | float() if abs(content) <= LARGEST:  # not so for nan
