@@ -81,7 +81,8 @@ def small(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
         study: {p: filters for p, filters in catalogue()[study].items() if not on_request(p)}
         for study in paper.studies
     }
-    results = Results(tmp_path_factory.mktemp(name), points, 1, paper.analysis, RUN.tolerance)
+    described = {study: paper.described(study) for study in paper.studies}
+    results = Results(tmp_path_factory.mktemp(name), points, 1, described, (), RUN.tolerance)
     for study, of_study in points.items():
         for point, filters in of_study.items():
             run_point(results, paper, study, point, filters)
@@ -94,7 +95,7 @@ def small(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
 
 def run_point(results: Results, paper: Paper, study: str, point: str, filters: list[str]) -> None:
     """Simulate a point and run its filters, as the jobs of the workflow do."""
-    layout, (parameters, settings) = results.layout, paper.studies[study][point]
+    layout, (parameters, settings, *_) = results.layout, paper.studies[study][point]
     small = {"trials": TRIALS, "steps": min(parameters.steps, MOST_STEPS)}
     log = created(layout.log(study, point, 0))
     simulate(study, point, parameters.plain() | small, RUN.root_seed, (0, TRIALS), log)

@@ -58,6 +58,8 @@ REGISTRY = Registry(LAYOUT, STUDIES, RUN.shards)
 RANKED = {
     f for paper in PAPERS.values() for ranking in paper.ranking.values() for f in ranking.known()
 }
+# Filters that a study's parameter file lists, by study.
+LISTED = {study: names for paper in PAPERS.values() for study, names in paper.run.items() if names}
 # Papers with printed values or claims; a study of one's own may have neither.
 JUDGED = [paper for paper in PAPERS if Path("params/published", f"{paper}.csv").exists()]
 ENVIRONMENT = str(Path(workflow.basedir, "workflow/envs/repro.yaml"))

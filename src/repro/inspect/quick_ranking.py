@@ -47,7 +47,7 @@ def quick_ranking(
             share = np.nan if lost is None else float(lost.mean())
             squared = Columns(iter([scenario.squared_error(runs)]), [trials])
             found[rival] = ranked(squared, share)
-        table = pd.DataFrame(rank_rows(found, ranking, tolerance))
+        table = pd.DataFrame(rank_rows(found, ranking, [filter_], tolerance))
         tables.append(table.assign(point=name))
     return pd.concat(tables).set_index("point")[COLUMNS]
 

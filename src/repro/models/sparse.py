@@ -19,8 +19,20 @@ def rows(matrix: ArrayLike) -> Rows:
     ]
 
 
-def dense(sparse: Rows, batch: tuple[int, ...], columns: int) -> np.ndarray:
+def as_rows(jacobian: Rows | np.ndarray) -> Rows:
+    """Rows of a Jacobian that a model gives sparse, or dense as an array (..., m, n)."""
+    if not isinstance(jacobian, np.ndarray):
+        return jacobian
+    if jacobian.ndim == 2:
+        return rows(jacobian)
+    m, n = jacobian.shape[-2:]
+    return [{j: jacobian[..., i, j] for j in range(n)} for i in range(m)]
+
+
+def dense(sparse: Rows | np.ndarray, batch: tuple[int, ...], columns: int) -> np.ndarray:
     """The matrices, (*batch, rows, columns)."""
+    if isinstance(sparse, np.ndarray):
+        return np.broadcast_to(sparse, (*batch, *sparse.shape[-2:]))
     matrix = np.zeros((*batch, len(sparse), columns))
     for i, row in enumerate(sparse):
         for j, entry in row.items():

@@ -15,58 +15,58 @@ Resampling = Literal["systematic", "multinomial"]
 class MinimumVariance(Values):
     """OMVF [packet_delays Theorem 1]."""
 
-    alpha_rule: Literal["sum to one", "8b"]
-    qbar_sign: Literal[1, -1]
+    alpha_rule: Literal["sum to one", "8b"] = "sum to one"
+    qbar_sign: Literal[1, -1] = 1
 
 
 class ExtendedMinimumVariance(MinimumVariance):
     """EMVF [packet_delays Theorem 2]."""
 
-    initial_second_moment: Literal["theorem_2", "P0", "matched"]
-    late_measurement: Literal["own sensor", "current sensor"]
+    initial_second_moment: Literal["theorem_2", "P0", "matched"] = "theorem_2"
+    late_measurement: Literal["own sensor", "current sensor"] = "own sensor"
 
 
 class RealisedIndicators(ExtendedMinimumVariance):
     """EMVF on the arrivals that happened [packet_delays (22)]."""
 
-    indicator_of: Literal["k", "k+1"]
+    indicator_of: Literal["k", "k+1"] = "k"
 
 
 class ProtocolParticles(Values):
     """MAPF and its variants [censored_network Algorithm 1]."""
 
-    particles: Annotated[int, Field(ge=2, description="number of particles of a node")]
-    resampling: Resampling
-    coupling_drawn_per: Literal["particle", "step"]
+    particles: Annotated[int, Field(ge=2, description="number of particles of a node")] = 1000
+    resampling: Resampling = "systematic"
+    coupling_drawn_per: Literal["particle", "step"] = "particle"
 
 
 class JointBootstrap(Values):
     """PF-ROSS-EH on the joint chain of energy and harvest."""
 
-    particles: Particles
-    resampling: Resampling
+    particles: Particles = 500
+    resampling: Resampling = "systematic"
 
 
 class Bootstrap(JointBootstrap):
     """PF-ROSS-EH and the filters it is compared with [energy_harvesting Algorithm 1]."""
 
-    weights: Literal["logarithmic", "linear"]
+    weights: Literal["logarithmic", "linear"] = "logarithmic"
 
 
 class MergedHypotheses(Values):
     """BKF-II [unknown_losses Algorithm 2]."""
 
-    prior: Literal["theta", "lambda(k-1)"]
+    prior: Literal["theta", "lambda(k-1)"] = "theta"
 
 
 class RaoBlackwell(Values):
     """RBPF and Fast RBPF [unknown_losses Algorithms 3 and 4]."""
 
-    particles: Particles
-    threshold: Annotated[Probability, Field(description="N_T as a share of the particles")]
-    resampling: Resampling
-    proposal: Literal["prior", "optimal"]
-    covariance: Literal["with spread", "printed"]
+    particles: Particles = 200
+    threshold: Annotated[Probability, Field(description="N_T as a share of the particles")] = 0.5
+    resampling: Resampling = "multinomial"
+    proposal: Literal["prior", "optimal"] = "prior"
+    covariance: Literal["with spread", "printed"] = "with spread"
 
 
 SETTINGS: dict[str, type[Values]] = {

@@ -32,7 +32,7 @@ def ranked(squared: Columns, lost: float) -> Ranked:
 
 
 def rank_rows(
-    filters: dict[str, Ranked], ranking: Ranking, tolerance: float
+    filters: dict[str, Ranked], ranking: Ranking, own: Iterable[str], tolerance: float
 ) -> Iterable[dict[str, Any]]:
     """One row a filter, the most accurate first.
 
@@ -49,7 +49,7 @@ def rank_rows(
         error = float(metrics.jackknife_error(left_out))
         yield {
             "filter": name,
-            "whose": _whose(name, ranking),
+            "whose": _whose(name, ranking, own),
             "error": statistic.value,
             "mcse": statistic.mcse,
             "median": statistic.median,
@@ -66,10 +66,10 @@ def rank_rows(
         }
 
 
-def _whose(name: str, ranking: Ranking) -> str:
+def _whose(name: str, ranking: Ranking, own: Iterable[str]) -> str:
     if name in ranking.papers:
         return "paper"
-    return "reference" if name in ranking.known() else "own"
+    return "own" if name in own else "reference"
 
 
 def _relative(own: Ranked, reference: Ranked | None) -> float:
@@ -81,6 +81,7 @@ def tabulate_ranking(results: Results, study: str, table: str, over_k: str, shar
     rows: list[dict[str, Any]] = []
     curves, distributions = [], []
     scenario, analysis = plugins.study(study), results.analysis(study)
+    ranking = results.ranking(study)
     for point, names in results.catalogue[study].items():
         filters = {}
         for name in names:
@@ -102,7 +103,7 @@ def tabulate_ranking(results: Results, study: str, table: str, over_k: str, shar
         family = results.points(study)[point]["family"]
         rows += [
             {"study": study, "family": family, "point": point} | row
-            for row in rank_rows(filters, results.ranking(study), results.tolerance)
+            for row in rank_rows(filters, ranking, results.own_filters, results.tolerance)
         ]
     write_csv(rows, table)
     write_csv(pd.concat(curves), over_k)

@@ -24,6 +24,7 @@ def job(log: str | Path) -> Iterator[None]:
         usage = f"cpu_s={time.process_time():.3f} peak_mb={_peak_mb():.1f}"
         Path(log).write_text(f"{USAGE} {usage}\n")
     except ReproError as error:
+        print(error.details, end="", file=sys.stderr)
         _end(log, str(error))
     except OSError as error:  # a full disk, a folder that cannot be written
         _end(

@@ -78,6 +78,12 @@ class Registry:
                 self._filters[study][point].append(name)
         return self._layout.run(**_only(name, studies))
 
+    def listed(self, study: str, names: Sequence[str]) -> str:
+        """Output of the rule of the filters that a study lists for all of its points."""
+        for name in names:
+            self.runs(name, [study])
+        return self._layout.run(**_only("|".join(names), [study]))
+
     def flights(self, name: str, studies: list[str]) -> str:
         """Second output where a filter closes a loop: the log of what was flown."""
         self._closed_loops.update(studies)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from repro.models import Model
-from repro.models.sparse import combine, component
+from repro.models.sparse import as_rows, combine, component
 
 DENSE_FROM = 64  # entries of the gain above which a stack of products is faster than its parts
 
@@ -83,7 +83,7 @@ def predict(
         packed = _packed(moved)
         packed += model.process_covariance[_upper(len(estimate))][:, None]
         return np.ascontiguousarray(predicted.T), packed
-    jacobian = model.transition_jacobian(estimate.T, k)
+    jacobian = as_rows(model.transition_jacobian(estimate.T, k))
     predicted = np.ascontiguousarray(model.transition(estimate.T, k).T)
     n = len(jacobian)
     places, noise = packed_places(n), model.process_covariance
@@ -106,7 +106,7 @@ def innovate(
     """Innovation of the received values, (systems, m), at a prediction."""
     state = predicted.T
     values = np.ascontiguousarray(model.innovation(received, model.measurement(state, sensor)).T)
-    jacobian = model.measurement_jacobian(state, sensor)
+    jacobian = as_rows(model.measurement_jacobian(state, sensor))
     m, n, noise = len(jacobian), len(predicted), model.measurement_covariance
     places = packed_places(n)
     rows = np.empty((m, *predicted.shape))
