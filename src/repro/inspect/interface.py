@@ -22,10 +22,10 @@ from repro.runner.block import Block
 from repro.runner.faults import Task
 from repro.simulate import simulated
 from repro.statistics import metrics
+from repro.statistics.paired import decided
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Columns
 from repro.streams import Streams
-from repro.verdicts.paired import decided
 
 PARAMETERS = Path(__file__).resolve().parents[3] / "params"
 

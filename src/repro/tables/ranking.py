@@ -10,10 +10,10 @@ from repro import plugins
 from repro.parameters.paper_file import Ranking
 from repro.statistics import metrics
 from repro.statistics.metrics import Jackknife
+from repro.statistics.paired import decided
 from repro.statistics.shards import Columns
 from repro.tables.csv_file import write_csv
 from repro.tables.results import Results
-from repro.verdicts.paired import decided
 
 SHARES = np.linspace(0.0, 1.0, 101)  # of the runs, at which the distribution of errors is kept
 

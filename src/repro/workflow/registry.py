@@ -7,7 +7,6 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
-from repro import filters
 from repro.atomic import atomic_write
 from repro.errors import ReproError
 from repro.layout import Catalogue, Layout
@@ -20,7 +19,7 @@ Patterns = str | Sequence[str]  # one or several shell patterns
 
 def filter_file(name: str) -> Path:
     """The file of a filter of this name."""
-    return Path(filters.__file__).with_name(f"{name}.py")
+    return Path(__file__).parents[1] / "filters" / f"{name}.py"
 
 
 def write_catalogue(catalogue: Catalogue, path: str | Path) -> None:
