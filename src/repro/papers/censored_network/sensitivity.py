@@ -68,7 +68,7 @@ def tabulate(results: Results, name: str, path: str | Path) -> None:
             part = Part(f"{first} < {second}", float(a - b), error)
             rows.append(
                 where
-                | {"filter": part.name, "metric": "order", "value": part.difference}
+                | {"filter": part.what, "metric": "order", "value": part.difference}
                 | {
                     "mcse": part.mcse,
                     "trials": len(a_left),
