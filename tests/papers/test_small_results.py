@@ -29,7 +29,7 @@ from repro.workflow.code import constants
 from tests.conftest import ROOT, catalogue
 
 TRIALS = 3
-MOST_STEPS = 800  # reached by the quadrotor alone, which flies the beginning of its path
+MOST_STEPS = 500  # reached by the quadrotor alone, which flies the beginning of its path
 RUN = load_run(ROOT / "params/run.yaml", {})
 PAPERS = sorted(path.stem for path in (ROOT / "params").glob("*.yaml") if path.stem != "run")
 
