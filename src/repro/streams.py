@@ -1,4 +1,4 @@
-"""Named random streams: one generator a trial, independent of shards, points and other filters."""
+"""Named random streams: one generator per trial, independent of shards, points and filters."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -6,12 +6,14 @@ from zlib import crc32
 
 import numpy as np
 
+Fill = Callable[[np.random.Generator, np.ndarray], object]  # draws into an array
+
 
 class Streams:
-    """The streams of one role (process, sensor, network, prior, `filter:<name>`), one a trial.
+    """The streams of one role (process, sensor, network, prior, `filter:<name>`), one per trial.
 
-    A stream is named by (root seed, study, role, trial) alone, so that a shard, a point of a
-    sweep or one more filter changes no number of any other.
+    A stream is named by (root seed, study, role, trial) alone, so that another shard, point of a
+    sweep, or filter changes no number.
     """
 
     def __init__(self, root_seed: int, study: str, role: str, trials: Iterable[int]):
@@ -26,7 +28,7 @@ class Streams:
     def __len__(self) -> int:
         return len(self.generators)
 
-    def _draw(self, shape: tuple[int, ...], fill: Callable) -> np.ndarray:
+    def _draw(self, shape: tuple[int, ...], fill: Fill) -> np.ndarray:
         drawn = np.empty((len(self), *shape))
         for generator, row in zip(self.generators, drawn, strict=True):
             fill(generator, row)

@@ -1,4 +1,4 @@
-"""What every registered filter must keep, whoever wrote it. Filters are found by themselves."""
+"""The contract of every registered filter; the filters are found through the registry."""
 
 import numpy as np
 import pytest
@@ -48,7 +48,7 @@ def test_the_future_is_not_seen(name, study, point):
 def test_the_truth_is_not_seen(name, study, point):
     log = small_log(study, point)
     if "/truth" not in log.values:
-        pytest.skip("a closed loop decides its own truth: tests/oracle looks at what it hands out")
+        pytest.skip("a closed loop decides its own truth: tests/oracle checks what it shows")
     hidden = log.values | {"/truth": np.full_like(log.values["/truth"], np.nan)}
     np.testing.assert_array_equal(
         estimate(log, name, point), estimate(log._replace(values=hidden), name, point)

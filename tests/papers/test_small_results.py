@@ -3,6 +3,8 @@
 They run here for the first time, and not at the end of the long build.
 """
 
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
@@ -14,14 +16,11 @@ from repro import plugins
 from repro.inspect.view import write_view
 from repro.pages.assumptions import write_assumptions
 from repro.pages.verdicts import write_diff
-from repro.papers.packet_delays import packet_example
-from repro.papers.unknown_losses import operation_counts
 from repro.parameters.load import Paper, load_paper, load_run, on_request
 from repro.plot.draw import draw
 from repro.runner import run_filter
 from repro.simulate import simulate
 from repro.studies import ClosedLoop
-from repro.tables.csv_file import write_csv
 from repro.tables.results import Results
 from repro.tables.study_tables import tabulate
 from repro.verdicts.claims import decide
@@ -30,20 +29,17 @@ from repro.workflow.code import constants
 from tests.conftest import ROOT, catalogue
 
 TRIALS = 3
-MOST_STEPS = 800  # reached by the quadrotor alone, which flies the beginning of its path
+MOST_STEPS = 500  # reached by the quadrotor alone, which flies the beginning of its path
 RUN = load_run(ROOT / "params/run.yaml", {})
 PAPERS = sorted(path.stem for path in (ROOT / "params").glob("*.yaml") if path.stem != "run")
 
 
-def scripts(diff: bool) -> list:
-    """Figures that are not drawn on request, with their paper; the overview with the first."""
-    chosen = []
-    for script in sorted((ROOT / "figures").glob("*/*.py")):
-        needs, folder = constants(str(script))["NEEDS"], script.parent.name
-        if not needs.get("on_request") and needs.get("diff", False) == diff:
-            paper = folder if folder in PAPERS else PAPERS[0]
-            chosen.append(pytest.param(paper, script, id=f"{paper}-{folder}/{script.stem}"))
-    return chosen
+SCRIPTS = [
+    pytest.param(script, id=f"{script.parent.name}/{script.stem}")
+    for script in sorted((ROOT / "figures").glob("*/*.py"))
+    if not constants(str(script))["NEEDS"].get("on_request")
+]
+DIFF = {"csv": "diff.csv", "markdown": "diff.md", "report": "diff.rst", "tally": "tally.txt"}
 
 
 class Small(NamedTuple):
@@ -52,45 +48,70 @@ class Small(NamedTuple):
     paper: Paper
     results: Results
 
-    def published(self) -> str:
-        return str(ROOT / f"params/published/{self.paper.name}.csv")
+
+Build = Callable[[str], Small]  # by the name of a paper
 
 
-def packet_table(paper: Paper, path: str) -> None:
-    packet_example.tabulate("table_1", paper.examples["table_1"], path)
+def once(build: Build) -> Build:
+    """`build`, called once for each paper; its result, or its exception, is repeated."""
+    outcomes: dict[str, Small | Exception] = {}
+
+    def outcome(name: str) -> Small:
+        if name not in outcomes:
+            try:
+                outcomes[name] = build(name)
+            except Exception as error:
+                outcomes[name] = error
+        result = outcomes[name]
+        if isinstance(result, Exception):
+            raise result
+        return result
+
+    return outcome
 
 
-def operations_table(paper: Paper, path: str) -> None:
-    particles = paper.studies["radar"]["loss=0.5"].filters["rbpf"]["particles"]
-    write_csv(operation_counts.table_1(6, 2, particles), path)
-
-
-# Tables that come from no trials, as the rules of the papers make them.
-COMPUTED: dict[str, dict[str, Callable[[Paper, str], None]]] = {
-    "packet_delays": {"packet_example": packet_table},
-    "unknown_losses": {"complexity": operations_table},
-}
-
-
-@pytest.fixture(scope="session", params=PAPERS)
-def small(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Small:
+@pytest.fixture(scope="session")
+def small(tmp_path_factory: pytest.TempPathFactory) -> Build:
     """The small results of a paper: logs, runs, tables and curves."""
-    name = request.param
-    paper = load_paper(ROOT / f"params/{name}.yaml")
-    points = {
-        study: {p: filters for p, filters in catalogue()[study].items() if not on_request(p)}
-        for study in paper.studies
-    }
-    described = {study: paper.described(study) for study in paper.studies}
-    results = Results(tmp_path_factory.mktemp(name), points, 1, described, (), RUN.tolerance)
-    for study, of_study in points.items():
-        for point, filters in of_study.items():
-            run_point(results, paper, study, point, filters)
-        table, curves = results.layout.table(study), results.layout.curves(study)
-        tabulate(results, study, created(table), created(curves))
-    for table, make in COMPUTED.get(name, {}).items():
-        make(paper, results.layout.table(table))
-    return Small(paper, results)
+
+    @once
+    def build(name: str) -> Small:
+        paper = load_paper(ROOT / f"params/{name}.yaml")
+        points = {
+            study: {p: filters for p, filters in catalogue()[study].items() if not on_request(p)}
+            for study in paper.studies
+        }
+        folder = tmp_path_factory.mktemp(name)
+        described = {study: paper.described(study) for study in paper.studies}
+        results = Results(folder / "results", points, 1, described, (), RUN.tolerance)
+        for study, of_study in points.items():
+            for point, filters in of_study.items():
+                run_point(results, paper, study, point, filters)
+            table, curves = results.layout.table(study), results.layout.curves(study)
+            tabulate(results, study, created(table), created(curves))
+        compute([results.layout.table(table) for table in computed_tables(paper)], folder)
+        return Small(paper, results)
+
+    return build
+
+
+def published_file(name: str) -> str:
+    return str(ROOT / f"params/published/{name}.csv")
+
+
+def computed_tables(paper: Paper) -> list[str]:
+    """Tables of a paper that come from no trials: they have published values and no study."""
+    studies = pd.read_csv(published_file(paper.name))["study"].dropna().unique()
+    return [name for name in studies if name not in paper.studies]
+
+
+def compute(tables: list[str], folder: Path) -> None:
+    """Make tables by their rules, into the folder."""
+    if tables:
+        command = [sys.executable, "-m", "snakemake", *tables, "-j1", "--nolock"]
+        subprocess.run(
+            [*command, "--config", f"into={folder}"], cwd=ROOT, capture_output=True, check=True
+        )
 
 
 def run_point(results: Results, paper: Paper, study: str, point: str, filters: list[str]) -> None:
@@ -120,48 +141,58 @@ def created(path: str) -> str:
 
 
 @pytest.fixture(scope="session")
-def judged(small: Small) -> Small:
+def judged(small: Build) -> Build:
     """Small results with claims and diff."""
-    name, layout = small.paper.name, small.results.layout
-    decide(small.results, name, created(layout.claims(name)))
-    tables = [*small.paper.studies, *COMPUTED.get(name, {})]
-    files = {
-        "published": small.published(),
-        "claims": layout.claims(name),
-        "tables": [layout.table(table) for table in tables],
-    }
-    pages = {"csv": "diff.csv", "markdown": "diff.md", "report": "diff.rst", "tally": "tally.txt"}
-    write_diff(
-        {name: files}, RUN.tolerance, **{key: layout.page(page) for key, page in pages.items()}
-    )
-    return small
+
+    @once
+    def judge(name: str) -> Small:
+        built = small(name)
+        layout = built.results.layout
+        decide(built.results, name, created(layout.claims(name)))
+        tables = [*built.paper.studies, *computed_tables(built.paper)]
+        files = {
+            "published": published_file(name),
+            "claims": layout.claims(name),
+            "tables": [layout.table(table) for table in tables],
+        }
+        pages = {key: layout.page(page) for key, page in DIFF.items()}
+        write_diff({name: files}, RUN.tolerance, **pages)
+        return built
+
+    return judge
 
 
-def test_tables_have_every_filter_of_every_point(small):
-    for study, points in small.results.catalogue.items():
-        table = small.results.table(study)
+@pytest.mark.parametrize("name", PAPERS)
+def test_tables_have_every_filter_of_every_point(name, small):
+    results = small(name).results
+    for study, points in results.catalogue.items():
+        table = results.table(study)
         tabulated = set(zip(table["point"], table["filter"], strict=True))
         assert tabulated == {(point, f) for point, filters in points.items() for f in filters}
 
 
-def test_claims_are_decided_and_every_published_row_has_a_verdict(judged):
-    assert set(judged.results.claims(judged.paper.name)["verdict"]) <= set(VERDICTS["claim"])
-    published = pd.read_csv(judged.published())
-    assert list(judged.results.diff()["item"]) == list(published["item"])
+@pytest.mark.parametrize("name", PAPERS)
+def test_claims_are_decided_and_every_published_row_has_a_verdict(name, judged):
+    results = judged(name).results
+    assert set(results.claims(name)["verdict"]) <= set(VERDICTS["claim"])
+    published = pd.read_csv(published_file(name))
+    assert list(results.diff()["item"]) == list(published["item"])
 
 
-def test_the_page_of_assumptions(small):
-    name, layout = small.paper.name, small.results.layout
+@pytest.mark.parametrize("name", PAPERS)
+def test_the_page_of_assumptions(name, small):
+    built = small(name)
+    layout = built.results.layout
     studies = {
         study: {
             point: {"parameters": values.parameters.plain(), "filters": values.filters}
             for point, values in points.items()
         }
-        for study, points in small.paper.studies.items()
+        for study, points in built.paper.studies.items()
     }
     files = {
         "parameters": str(ROOT / f"params/{name}.yaml"),
-        "published": small.published(),
+        "published": published_file(name),
         "studies": studies,
         "tables": {study: layout.table(study) for study in studies},
     }
@@ -170,24 +201,20 @@ def test_the_page_of_assumptions(small):
     assert f"## {name}" in page and "| study " in page
 
 
-@pytest.mark.parametrize(("small", "script"), scripts(diff=False), indirect=["small"])
-def test_every_figure_is_drawn(small, script, monkeypatch, tmp_path):
-    draw_here(script, small.results, monkeypatch, tmp_path)
-
-
-@pytest.mark.parametrize(("small", "script"), scripts(diff=True), indirect=["small"])
-def test_every_figure_of_the_verdicts_is_drawn(judged, script, monkeypatch, tmp_path):
-    draw_here(script, judged.results, monkeypatch, tmp_path)
-
-
-def draw_here(script, results, monkeypatch, tmp_path):
+@pytest.mark.parametrize("script", SCRIPTS)
+def test_every_figure_is_drawn(script, small, judged, monkeypatch, tmp_path):
     monkeypatch.chdir(ROOT)  # figures name the files of params/measured from there
+    folder = script.parent.name
+    needed = judged if constants(str(script))["NEEDS"].get("diff") else small
+    results = needed(folder if folder in PAPERS else PAPERS[0]).results
     draw(script, results, tmp_path / "figure.png")
     assert (tmp_path / "figure.png").stat().st_size > 1000
 
 
-def test_a_view_of_a_trial_of_every_study(small, tmp_path):
-    for study, points in small.results.catalogue.items():
+@pytest.mark.parametrize("name", PAPERS)
+def test_a_view_of_a_trial_of_every_study(name, small, tmp_path):
+    results = small(name).results
+    for study, points in results.catalogue.items():
         view, layout = tmp_path / f"{study}.mcap", tmp_path / f"{study}.json"
-        write_view(small.results, study, next(iter(points)), TRIALS - 1, view, layout)
+        write_view(results, study, next(iter(points)), TRIALS - 1, view, layout)
         assert view.stat().st_size > 1000 and layout.stat().st_size > 100

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from mcap.writer import Writer
 
 from repro.errors import ReproError
-from repro.logs import read_log, read_user_log, write_log
+from repro.logs import read_log, write_log
+from repro.logs.user_log import read_user_log
 from repro.parameters.load import load_paper, load_run
 from repro.parameters.settings import checked_settings
 from repro.parameters.yaml_file import read_yaml

@@ -11,7 +11,8 @@ from mcap_ros2.writer import Writer as Ros2Writer
 
 from repro.errors import ReproError
 from repro.inspect.user_log import run_user_log
-from repro.logs import LogError, read_user_log
+from repro.logs import LogError
+from repro.logs.user_log import read_user_log
 from repro.runner import run
 from tests.conftest import points, small_log
 

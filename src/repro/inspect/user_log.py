@@ -9,7 +9,7 @@ import pandas as pd
 
 from repro import plugins
 from repro.errors import ReproError
-from repro.logs import read_user_log
+from repro.logs.user_log import read_user_log
 from repro.runner import run
 from repro.studies import ClosedLoop, Study
 from repro.tables.csv_file import write_csv

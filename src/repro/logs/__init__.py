@@ -2,11 +2,11 @@
 
 One file holds one (study, point, shard): topics of named scalar float64 fields, each message with
 its trial and step, encoded as cdr with a ros2msg schema; trials lie end to end on the log clock.
+Logs recorded elsewhere are read by `repro.logs.user_log`, which the ordinary run does not import.
 """
 
 from repro.logs.format import Log, LogError
 from repro.logs.read import read_log
-from repro.logs.user_log import read_user_log
 from repro.logs.write import write_log
 
-__all__ = ["Log", "LogError", "read_log", "read_user_log", "write_log"]
+__all__ = ["Log", "LogError", "read_log", "write_log"]

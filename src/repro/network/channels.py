@@ -7,8 +7,8 @@ import numpy as np
 
 from repro.errors import ReproError
 
-# No impairments, but arguments of the model's functions: every filter may know which sensor
-# measures and which input led to this step. None where a study has no such thing.
+# Arguments of the model's functions, not impairments: every filter may know which sensor measures,
+# and which input led to this step. None where a study has no such thing.
 ALWAYS_SEEN = ("sensor", "earlier_sensors", "input")
 
 

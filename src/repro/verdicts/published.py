@@ -13,6 +13,10 @@ from repro.verdicts.claims import overall
 VERDICTS = {"value": ("match", "differs"), "claim": ("holds", "fails", "undecided")}
 REPRODUCED = ("match", "holds")
 KEYS = ["study", "point", "filter", "metric", "component"]
+DIFF_COLUMNS = [
+    *("paper", "item", "kind", *KEYS, "published", "ours", "mcse", "their_error", "allowed", "z"),
+    *("verdict", "evidence", "expect", "as_expected", "reason", "statement"),
+]
 COLUMNS = ["item", *KEYS, "value", "digits", "kind", "trials", "expect", "reason"]
 
 
@@ -134,7 +138,7 @@ def diff(papers: Mapping[str, Mapping[str, Any]], tolerance: float) -> pd.DataFr
         tables = pd.concat([pd.read_csv(table) for table in files["tables"]])
         claims = pd.read_csv(files["claims"])
         rows += compare(paper, published, tables, claims, tolerance, files["published"])
-    return pd.DataFrame(rows)
+    return pd.DataFrame(rows, columns=DIFF_COLUMNS)
 
 
 def verify(csv: str | Path) -> None:

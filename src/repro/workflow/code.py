@@ -1,10 +1,11 @@
-"""Which source files a job reaches: the modules of this package that its imports lead to."""
+"""The source files that a job depends on: modules of this package that its imports reach."""
 
 import ast
 import re
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 # Of this package alone. Parsing the files took a tenth of the time that Snakemake takes to start.
 IMPORT = re.compile(r"^ *(?:from|import) +(repro[\w.]*)(?: +import +(\([^)]*\)|.*))?", re.MULTILINE)
@@ -72,13 +73,13 @@ def _imported(file: Path) -> list[Path]:
 
 
 @cache
-def constants(script: str) -> dict:
+def constants(script: str) -> dict[str, Any]:
     """Literal constants at the top of a script, read without running it."""
-    found = {}
+    values = {}
     for node in ast.parse(Path(script).read_text()).body:
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
             try:
-                found[node.targets[0].id] = ast.literal_eval(node.value)
+                values[node.targets[0].id] = ast.literal_eval(node.value)
             except ValueError:
                 continue
-    return found
+    return values
