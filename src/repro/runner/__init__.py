@@ -114,7 +114,7 @@ def run_filter(
         loop = plugins.study(study)
         assert isinstance(loop, ClosedLoop)
         write_log(flight_path, loop.flight(log, estimate, runs), loop.period(log.parameters))
-    arrays = {f"recorded_{key}": value for key, value in runs.recorded.items()}
+    arrays: dict[str, Any] = {f"recorded_{key}": value for key, value in runs.recorded.items()}
     if runs.claimed is not None:
         arrays["claimed"] = runs.claimed
     with atomic_write(path) as part, part.open("wb") as stream:
