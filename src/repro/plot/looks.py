@@ -5,6 +5,7 @@ from collections.abc import Sequence
 # Okabe and Ito's palette, which can be told apart with any kind of colour vision.
 BLUE, VERMILLION, GREEN, PINK = "#0072B2", "#D55E00", "#009E73", "#CC79A7"
 ORANGE, SKY, BLACK, OLIVE, GREY = "#E69F00", "#56B4E9", "#000000", "#999933", "0.45"
+PALETTE = (BLUE, VERMILLION, GREEN, PINK, ORANGE, SKY, BLACK, OLIVE)
 
 # Proposed filters are blue first; what knows the network is green, what ignores it vermillion.
 LOOKS = {
