@@ -138,9 +138,7 @@ def _sweep_title(family: str, key: str, others: Iterable[tuple[str, str]]) -> st
     return values or family.replace(f"{{{key}}}", "*")
 
 
-def _curve(
-    axes: Axes, results: Results, filter_: str, x: Any, y: Any, offset: float = 0.0
-) -> None:
+def _curve(axes: Axes, results: Results, filter_: str, x: Any, y: Any, offset: float = 0.0) -> None:
     """A filter's line, with a few markers: `offset`, from 0 to 1, keeps those of others apart."""
     step = max(len(y) // MARKERS, 1)
     label = style.label(filter_)

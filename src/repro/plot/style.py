@@ -80,7 +80,7 @@ def plain_log(axes: Axes, which: str = "y") -> None:
 
 
 def error_axis(axes: Axes, which: str) -> None:
-    """Scale and limits for the errors that are drawn: logarithmic from a factor of 2.5 on.
+    """Scale and limits for the errors that are drawn: logarithmic from a factor of 4 on.
 
     Errors of 0 are left out. Those of filters that diverge leave the axes `DECADES` above the
     largest error of the best filter.
@@ -108,7 +108,7 @@ def number_axis(axes: Axes, values: Sequence[float], which: str) -> None:
 
 
 def _scale(axes: Axes, low: float, high: float, which: str) -> None:
-    if high < 2.5 * low:
+    if high < 4 * low:
         return
     if high < 1e3 * low:
         plain_log(axes, which)
