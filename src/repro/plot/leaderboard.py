@@ -77,4 +77,3 @@ def _draw_study(axes: Axes, results: Results, rows: pd.DataFrame) -> None:
     axes.axvline(1, color="black", lw=1)
     axes.set_yticks(np.arange(len(names)), [style.label(name) for name in names], fontsize=8)
     axes.set_ylim(len(names) - 0.4, -0.6)
-    axes.tick_params(axis="x", labelbottom=False)
