@@ -10,9 +10,9 @@ from repro.tables.results import Results
 
 NEEDS = {"points": {"deadband": ["base"], "saturation": ["base"]}}
 CAPTION = (
-    "Figure 1. Received against ideal reading: dead band (4), purple, solid, and saturation "
-    "(5), blue, dotted, with the thresholds of Sec. IV. Points are the readings of target 1 "
-    "in the first run."
+    "Redrawing of Fig. 1: received against ideal reading: dead band (4), purple, solid, and "
+    "saturation (5), blue, dotted, with the thresholds of Sec. IV. Points are the readings of "
+    "target 1 in the first run."
 )
 RANGE = (-35, 20)  # dB
 LOOKS = (

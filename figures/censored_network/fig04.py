@@ -7,9 +7,9 @@ from repro.tables.results import Results
 
 NEEDS = {"points": {"deadband": ["base"]}}
 CAPTION = (
-    "Figure 4. True and estimated track of target 3, dead-band censoring, first run. The "
-    "sensors are the fitted layout, not the paper's; dead reckoning, which the paper does not "
-    "have, uses no measurement."
+    "Redrawing of Fig. 4: true and estimated track of target 3, dead-band censoring, first run. "
+    "The sensors are the fitted layout, not the paper's; dead reckoning, which the paper does "
+    "not have, uses no measurement. Every filter: figures/studies/deadband."
 )
 
 

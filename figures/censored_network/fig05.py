@@ -7,9 +7,9 @@ from repro.tables.results import Results
 
 NEEDS = {"points": {"deadband": ["base"]}}
 CAPTION = (
-    "Figure 5. First component of what the filter of target 1 receives, dead-band censoring, "
-    "first run: which group of sensors transmits, and the censored value. The filter is not "
-    "told the group."
+    "Redrawing of Fig. 5: first component of what the filter of target 1 receives, dead-band "
+    "censoring, first run: which group of sensors transmits, and the censored value. The filter "
+    "is not told the group."
 )
 
 

@@ -7,9 +7,9 @@ from repro.tables.results import Results
 
 NEEDS = {"points": {"saturation": ["base"]}}
 CAPTION = (
-    "Figure 10. True and estimated track of target 2, saturation censoring, first run. The "
-    "sensors are the fitted layout, not the paper's; dead reckoning, which the paper does not "
-    "have, uses no measurement."
+    "Redrawing of Fig. 10: true and estimated track of target 2, saturation censoring, first "
+    "run. The sensors are the fitted layout, not the paper's; dead reckoning, which the paper "
+    "does not have, uses no measurement. Every filter: figures/studies/saturation."
 )
 
 

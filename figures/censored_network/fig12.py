@@ -7,7 +7,7 @@ from repro.tables.results import Results
 
 NEEDS = {"points": {"saturation": ["base"]}}
 CAPTION = (
-    "Figure 12. First component of what the filter of target 1 receives, saturation "
+    "Redrawing of Fig. 12: first component of what the filter of target 1 receives, saturation "
     "censoring, first run: which group of sensors transmits, and the censored value. The "
     "filter is not told the group."
 )

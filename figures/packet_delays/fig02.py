@@ -7,9 +7,9 @@ from repro.tables.results import Results
 
 NEEDS = {"tables": ["linear_delays"]}
 CAPTION = (
-    "Figure 2. RMS error of x2 over the packet arrival probability, all filters, with the error "
+    "Redrawing of Fig. 2: RMS error of x2 over the packet arrival probability, with the error "
     "that the OMVF claims. The paper prints no number. The filter of Sun (2009) and the best "
-    "filter of the OMVF's form (6) are exact."
+    "filter of the OMVF's form (6) are exact. Every filter: figures/studies/linear_delays."
 )
 
 

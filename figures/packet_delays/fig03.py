@@ -7,7 +7,9 @@ from repro.tables.results import Results
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=1", "n2-arrival=1"]}}
 CAPTION = (
-    "Figure 3. Trajectory of EKF and EMVF, p = 1. The first run in which every packet is on time."
+    "Redrawing of Fig. 3: trajectory of EKF and EMVF, p = 1, in the first run in which every "
+    "packet is on time, and of the EKF that knows the arrivals. Every filter: "
+    "figures/studies/wsn_tracking."
 )
 
 

@@ -7,8 +7,9 @@ from repro.tables.results import Results
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=0.98", "n2-arrival=0.98"]}}
 CAPTION = (
-    "Figure 5. Trajectory of EKF and EMVF, p = 0.98. The first run in which a single packet is "
-    "late or lost, that of the step that the paper names."
+    "Redrawing of Fig. 5: trajectory of EKF and EMVF, p = 0.98, and of the EKF that knows the "
+    "arrivals, in the first run in which a single packet is late or lost, that of the step that "
+    "the paper names. Every filter: figures/studies/wsn_tracking."
 )
 
 

@@ -7,8 +7,9 @@ from repro.tables.results import Results
 
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=0.9", "n2-arrival=0.9"]}}
 CAPTION = (
-    "Figure 9. Trajectory of the EMVF, p = 0.90. The first run in which as many packets are late "
-    "or lost as in the paper."
+    "Redrawing of Fig. 9: trajectory of the EMVF, p = 0.90, and of the EKF that knows the "
+    "arrivals, in the first run in which as many packets are late or lost as in the paper. "
+    "Every filter: figures/studies/wsn_tracking."
 )
 
 

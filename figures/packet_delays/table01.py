@@ -8,7 +8,8 @@ from repro.tables.results import Results
 
 NEEDS = {"tables": ["packet_example"]}
 CAPTION = (
-    "Table 1 as a picture: an arrow from the step that sends a packet to each step that uses it."
+    "Redrawing of Table 1 as a picture: an arrow from the step that sends a packet to each step "
+    "that uses it."
 )
 COLOURS = [style.COLOURS[place] for place in (2, 4, 1)]  # by the number of steps a packet is late
 

@@ -92,7 +92,7 @@ def test_quantities_of_runs_in_shards(tmp_path):
         arrays = {"error": VALUES[part, :, None], "degenerate": VALUES[part, 0]}
         trials = np.arange(40)[part]
         np.savez(folder / f"{number}.npz", trials=trials, recorded_a=VALUES[part], **arrays)
-    results, where = Results(tmp_path, {}, 3, {}, 3.0), ("study", "point", "filter")
+    results, where = Results(tmp_path, {}, 3, {}, [], 3.0), ("study", "point", "filter")
     np.testing.assert_array_equal(results.each(*where, lambda runs: runs.degenerate), VALUES[:, 0])
     of_steps = results.each(*where, lambda runs: runs.error[..., 0])
     np.testing.assert_array_equal(np.concatenate(list(of_steps.blocks())).T, VALUES)

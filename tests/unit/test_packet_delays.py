@@ -86,7 +86,7 @@ def test_points_are_found_by_their_names(tmp_path):
         study: {point: [] for point in points()[study]}
         for study in ("linear_delays", "wsn_tracking")
     }
-    results = Results(tmp_path, catalogue, 1, {}, 3.0)
+    results = Results(tmp_path, catalogue, 1, {}, [], 3.0)
     arrivals = ["0.8", "0.85", "0.9", "0.95", "0.99"]
     assert table_2(results) == {0: arrivals, 1: arrivals, 2: arrivals}
     assert list(linear_points(results)) == pytest.approx(np.arange(1, 11) / 10)

@@ -25,8 +25,9 @@ def results(tmp_path):
             error = scale * rng.standard_normal((40, 61, 9))
             np.savez(folder / "0.npz", trials=np.arange(40), error=error, degenerate=np.zeros(40))
     catalogue = {"deadband": {"base": [*SCALE], "sensitivity-speed=2": [*SCALE]}}
-    analysis = load_paper(ROOT / "params/censored_network.yaml").analysis
-    return Results(tmp_path, catalogue, 1, analysis, tolerance=3.0)
+    paper = load_paper(ROOT / "params/censored_network.yaml")
+    studies = {"deadband": paper.described("deadband")}
+    return Results(tmp_path, catalogue, 1, studies, [], tolerance=3.0)
 
 
 def test_orders_are_decided_on_paired_runs(results, tmp_path):

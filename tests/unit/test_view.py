@@ -27,7 +27,7 @@ def results(tmp_path):
         path.parent.mkdir(parents=True)
         settings = points()[STUDY][POINT].filters.get(name, {})
         run_filter(log, STUDY, POINT, name, settings, path)
-    return Results(tmp_path, {STUDY: {POINT: FILTERS}}, shards=1, analysis={}, tolerance=3.0)
+    return Results(tmp_path, {STUDY: {POINT: FILTERS}}, 1, {}, [], tolerance=3.0)
 
 
 def read_decoded(path):
@@ -85,7 +85,7 @@ def test_a_view_of_a_closed_loop_has_every_filters_own_flight(tmp_path):
         settings = points()["quadrotor"][point].filters.get(name, {})
         run_filter(log, "quadrotor", point, name, settings, runs / "0.npz", flights / "0.mcap")
     catalogue = {"quadrotor": {point: filters}}
-    results = Results(tmp_path, catalogue, shards=1, analysis={}, tolerance=3.0)
+    results = Results(tmp_path, catalogue, 1, {}, [], tolerance=3.0)
     write_view(results, "quadrotor", point, 1, tmp_path / "v.mcap", tmp_path / "v.json")
     found = read_decoded(tmp_path / "v.mcap")
     for name in filters:

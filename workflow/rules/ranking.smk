@@ -36,14 +36,28 @@ if RUN.filter is None:
             [LAYOUT.ranking(study) for study in STUDIES],
         output:
             csv=LAYOUT.page("leaderboard.csv"),
+            times=LAYOUT.page("leaderboard_times.csv"),  # of this machine
             markdown=LAYOUT.page("leaderboard.md"),
         log:
             LAYOUT.job_log("leaderboard"),
         conda:
             ENVIRONMENT
         params:
-            rankings={study: LAYOUT.ranking(study) for study in STUDIES},
-            code=code("repro.pages.leaderboard"),
+            catalogue=REGISTRY.catalogue(*STUDIES),
+            points={
+                study: {
+                    name: {
+                        "family": point.family,
+                        "trials": point.parameters.trials,
+                        "steps": point.parameters.steps,
+                    }
+                    for name, point in points.items()
+                }
+                for study, points in STUDIES.items()
+            },
+            shards=RUN.shards,
+            root=str(LAYOUT.root),
+            code=code("repro.pages.leaderboard", "repro.workflow.timings"),
         script:
             "../scripts/leaderboard.py"
 

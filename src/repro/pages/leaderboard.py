@@ -1,5 +1,7 @@
 """The leaderboard: every filter of every study, by family of points."""
 
+from collections.abc import Iterable
+
 import numpy as np
 import pandas as pd
 from tabulate import tabulate
@@ -10,11 +12,16 @@ from repro.tables.csv_file import write_csv
 
 TITLE = "Leaderboard"
 LEGEND = """\
-For every study and family of points: the geometric mean over the points of each filter's error
-(mean over k of the root of the mean squared error over the trials), relative to the reference that
-knows most and to using no measurement; how many points it is better or worse on than the best of
-the paper's filters, beyond the standard error of the paired difference; the largest share of runs
-that lost their target. Every point: `leaderboard.csv`. Made by the run."""
+For every study and family of points, the best filter first. Error: geometric mean over the points
+of each filter's error (mean over k of the root of the mean squared error over the trials). Median
+run: the same of the median over the runs of each run's error, which a few runs that lost their
+target do not move. The error relative to the reference that knows most ("of informed"), and to
+using no measurement ("of no data"), on the points that have both. On how many points it is better
+or worse than the best of the paper's filters, beyond the standard error of the paired difference;
+the best itself counts as neither. Lost: the largest share of runs that lost their target. CPU: of
+the whole job, its start included, so that it says most where a study has many steps. Columns
+without a value are left out. Every point: `leaderboard.csv`. Made by the run."""
+CPU = "CPU µs a step"
 
 
 def summarised(table: pd.DataFrame) -> pd.DataFrame:
@@ -29,9 +36,10 @@ def summarised(table: pd.DataFrame) -> pd.DataFrame:
                 "filter": filter_,
                 "whose": of["whose"].iloc[0],
                 "points": len(of),
-                "error": _geometric_mean(of["error"]),
-                "of informed": _geometric_mean(of["relative_to_informed"]),
-                "of no data": _geometric_mean(of["relative_to_nothing"]),
+                "error": geometric_mean(of["error"]),
+                "median run": geometric_mean(of["median"]),
+                "of informed": geometric_mean(of["relative_to_informed"]),
+                "of no data": geometric_mean(of["relative_to_nothing"]),
                 "better": int(verdicts.get("better", 0)),
                 "worse": int(verdicts.get("worse", 0)),
                 "not decided": int(verdicts.get("not decided", 0)),
@@ -40,19 +48,33 @@ def summarised(table: pd.DataFrame) -> pd.DataFrame:
         )
     summary = pd.DataFrame(rows)
     order = summary.groupby(["study", "family"], sort=False).ngroup()
-    return summary.assign(order=order).sort_values(["order", "error"]).drop(columns="order")
+    summary = summary.assign(order=order).sort_values(["order", "error"], kind="stable")
+    return summary.drop(columns="order").reset_index(drop=True)
 
 
-def _geometric_mean(values: pd.Series) -> float:
-    return float(np.exp(np.log(values).mean()))
+def geometric_mean(values: pd.Series) -> float:
+    """Of the values that are known; 0 if one of them is 0."""
+    with np.errstate(divide="ignore"):
+        return float(np.exp(np.log(values).mean()))
 
 
-def write_leaderboard(rankings: dict[str, str], csv: str, markdown: str) -> None:
-    """Write the leaderboard of all studies, given the file of each study's ranking."""
-    table = pd.concat([pd.read_csv(path) for path in rankings.values()])
-    write_csv(table, csv)
+def with_cpu(summary: pd.DataFrame, times: pd.DataFrame) -> pd.DataFrame:
+    """The summary with CPU time: the median over the family's points that it is known for."""
+    cpu = times.groupby(["study", "family", "filter"])["cpu_us_per_step"].median()
+    keys = pd.MultiIndex.from_frame(summary[["study", "family", "filter"]])
+    return summary.assign(**{CPU: cpu.reindex(keys).to_numpy()})
+
+
+def write_leaderboard(rankings: Iterable[str], csv: str) -> None:
+    """Write the leaderboard of all studies, given the files of their rankings."""
+    write_csv(pd.concat([pd.read_csv(path) for path in rankings]), csv)
+
+
+def write_page(csv: str, times: str, markdown: str) -> None:
+    """Write the leaderboard as a page, with the CPU times of this machine."""
+    summary = with_cpu(summarised(pd.read_csv(csv)), pd.read_csv(times))
     text = [f"# {TITLE}", "", LEGEND, ""]
-    for study, of_study in summarised(table).groupby("study", sort=False):
+    for study, of_study in summary.groupby("study", sort=False):
         text += [f"## {study}", ""]
         for family, rows in of_study.groupby("family", sort=False):
             text += [f"### {family}", "", _markdown(rows.drop(columns=["study", "family"])), ""]
@@ -61,7 +83,24 @@ def write_leaderboard(rankings: dict[str, str], csv: str, markdown: str) -> None
 
 
 def _markdown(rows: pd.DataFrame) -> str:
-    shown = rows.assign(filter=[plugins.filter_module(name).LABEL for name in rows["filter"]])
+    labels = [plugins.filter_module(name).LABEL for name in rows["filter"]]
+    shown = rows.assign(filter=labels).dropna(axis="columns", how="all")
+    if not rows[["better", "worse", "not decided"]].any(axis=None):
+        shown = shown.drop(columns=["better", "worse", "not decided"])
+    cells = {name: [_cell(value) for value in values] for name, values in shown.items()}
     return tabulate(
-        shown.to_dict("list"), headers="keys", tablefmt="github", floatfmt=".3g", missingval=""
-    ).replace("nan", "")
+        cells, headers="keys", tablefmt="github", disable_numparse=True, colalign=_sides(shown)
+    )
+
+
+def _sides(shown: pd.DataFrame) -> list[str]:
+    return ["right" if pd.api.types.is_numeric_dtype(shown[name]) else "left" for name in shown]
+
+
+def _cell(value: object) -> str:
+    """Three digits; empty where a value is not known."""
+    if not isinstance(value, float):
+        return str(value)
+    if np.isnan(value):
+        return ""
+    return f"{value:.0f}" if 1e3 <= abs(value) < 1e6 else f"{value:.3g}"

@@ -1,6 +1,8 @@
 """Figures that every study has, with every filter in them: no script needs to be written."""
 
-from typing import Any
+from collections.abc import Iterable, Sequence
+from textwrap import fill
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -12,121 +14,158 @@ from repro.plot import style
 from repro.plot.style import BAND
 from repro.tables.results import Results
 
-PANELS = 6  # points that a figure has at most
+PANELS = 6  # that a figure has at most
 COLUMNS = 3
-NO_SWEEP = "no family of this study sweeps a number"
+TITLE = 30  # characters of a panel's title on a line
+LABELS = 95  # characters of the legend on a line
+MARKERS = 6  # on a curve with many points
+NO_SWEEP = "no family of points of this study sweeps a number"
+
+
+class Sweep(NamedTuple):
+    """Points that differ in one number."""
+
+    title: str
+    key: str  # what is swept
+    points: dict[float, str]  # by value, rising
 
 
 def over_k(results: Results, study: str) -> Figure:
     """Error over the steps, one panel a point of the first family, with a Monte Carlo band."""
     table = results.error_over_k(study)
-    drawn, panels = _panels(results, study)
-    for axes, point in panels:
-        for filter_ in results.filters(study, point):
+    points = _first_points(results, study)
+    drawn, grid = _panels(points)
+    for axes, point in zip(grid, points, strict=True):
+        names = results.filters(study, point)
+        for place, filter_ in enumerate(names):
             rows = table[(table["point"] == point) & (table["filter"] == filter_)]
-            look = style.look(results, filter_)
-            axes.plot(
-                rows["k"], rows["value"], lw=1.3, color=look["color"], label=style.label(filter_)
-            )
-            _band(axes, rows["k"], rows["value"], rows["mcse"], look["color"])
-        axes.set(xlabel="k (steps)", yscale="log")
-    return _finished(drawn, panels, results, study, "error over the steps")
+            _curve(axes, results, filter_, rows["k"], rows["value"], place / len(names))
+            _band(axes, results, filter_, rows["k"], rows["value"], rows["mcse"])
+        style.error_axis(axes, "y")
+        axes.set_xlabel("k (steps)")
+    _label_left(grid, f"error{_unit(study)}")
+    return _finished(drawn, grid, f"{_title(results, study)}; bands: ±{BAND:g} standard errors")
 
 
 def over_sweep(results: Results, study: str) -> Figure:
     """Error over a swept parameter, one panel a family and each other swept value."""
     table = results.ranking_table(study)
     sweeps = _sweeps(results, study)[:PANELS]
-    drawn, grid = _grid(max(len(sweeps), 1))
+    drawn, grid = _panels([sweep.title for sweep in sweeps] or [""])
     if not sweeps:
         grid[0].annotate(NO_SWEEP, (0.5, 0.5), xycoords="axes fraction", ha="center")
         grid[0].axis("off")
         return drawn
-    for axes, (title, key, points) in zip(grid, sweeps, strict=True):
+    for axes, (_, key, points) in zip(grid, sweeps, strict=True):
         names = dict.fromkeys(f for p in points.values() for f in results.filters(study, p))
         for filter_ in names:
             rows = table[table["filter"] == filter_].set_index("point")
-            here = [(value, point) for value, point in points.items() if point in rows.index]
-            values, chosen = [value for value, _ in here], rows.loc[[point for _, point in here]]
-            look = style.look(results, filter_)
-            axes.plot(values, chosen["error"], ms=4, lw=1.3, label=style.label(filter_), **look)
-            _band(axes, values, chosen["error"], chosen["mcse"], look["color"])
-        axes.set(xlabel=key.replace("_", " "), yscale="log")
-        axes.set_title(title, fontsize=9)
-    panels = list(zip(grid, sweeps, strict=True))
-    return _finished(drawn, panels, results, study, "error, mean over the steps")
+            there = {value: point for value, point in points.items() if point in rows.index}
+            rows = rows.loc[list(there.values())]
+            _curve(axes, results, filter_, list(there), rows["error"])
+            _band(axes, results, filter_, list(there), rows["error"], rows["mcse"])
+        style.error_axis(axes, "y")
+        style.number_axis(axes, list(points), "x")
+        axes.set_xlabel(key.replace("_", " "))
+    _label_left(grid, f"error{_unit(study)}, mean over k")
+    return _finished(drawn, grid, f"{_title(results, study)}; bands: ±{BAND:g} standard errors")
 
 
 def distribution(results: Results, study: str) -> Figure:
     """Share of the runs whose error is at most a value, one panel a point of the first family."""
     table = results.error_shares(study)
-    drawn, panels = _panels(results, study)
-    for axes, point in panels:
-        for filter_ in results.filters(study, point):
+    points = _first_points(results, study)
+    drawn, grid = _panels(points)
+    for axes, point in zip(grid, points, strict=True):
+        names = results.filters(study, point)
+        for place, filter_ in enumerate(names):
             rows = table[(table["point"] == point) & (table["filter"] == filter_)]
-            look = style.look(results, filter_)
-            axes.plot(
-                rows["error"],
-                rows["share"],
-                lw=1.3,
-                color=look["color"],
-                label=style.label(filter_),
-            )
-        axes.set(ylabel="share of the runs", ylim=(0, 1), xscale="log")
-    unit = _unit(study)
-    for axes, _ in panels:
-        axes.set_xlabel(f"error of a run{unit}")
-    return _finished(drawn, panels, results, study, None)
+            _curve(axes, results, filter_, rows["error"], rows["share"], place / len(names))
+        style.error_axis(axes, "x")
+        axes.set(xlabel=f"error of a run{_unit(study)}", ylim=(0, 1))
+    _label_left(grid, "share of the runs")
+    return _finished(drawn, grid, _title(results, study))
 
 
-def _panels(results: Results, study: str) -> tuple[Figure, list[tuple[Axes, str]]]:
-    """A figure with one panel for each of the first points of the study's first family."""
+def _first_points(results: Results, study: str) -> list[str]:
+    """The points of the study's first family, spread over it if they are more than the panels."""
     points = results.points(study)
     first = next(iter(points.values()))["family"]
-    chosen = [
-        p for p, at in points.items() if at["family"] == first and p in results.catalogue[study]
-    ]
-    if len(chosen) > PANELS:  # spread over the sweep
+    chosen = [point for point, at in points.items() if at["family"] == first]
+    if len(chosen) > PANELS:
         chosen = [chosen[i] for i in np.linspace(0, len(chosen) - 1, PANELS).round().astype(int)]
-    drawn, grid = _grid(len(chosen))
-    for axes, point in zip(grid, chosen, strict=True):
-        axes.set_title(point, fontsize=9)
-    return drawn, list(zip(grid, chosen, strict=True))
+    return chosen
 
 
-def _grid(number: int) -> tuple[Figure, list[Axes]]:
+def _panels(titles: Sequence[str]) -> tuple[Figure, list[Axes]]:
+    """A figure with one panel a title."""
+    number = len(titles)
     columns = min(number, COLUMNS)
     rows = -(-number // columns)
-    size = (3.6 * columns + 1.6, 2.9 * rows + 0.5)
+    size = (max(3.0 * columns, 6.6), 2.6 * rows + 0.9 if number > 1 else 4.6)
     drawn, grid = style.figure(rows, columns, size=size, squeeze=False)
     for axes in grid.flat[number:]:
         axes.remove()
+    for axes, title in zip(grid.flat, titles, strict=False):
+        axes.set_title(fill(title, TITLE), fontsize=9)
     return drawn, list(grid.flat[:number])
 
 
-def _sweeps(results: Results, study: str) -> list[tuple[str, str, dict[float, str]]]:
-    """(title, swept key, value -> point) of every family that sweeps a number over three points."""
+def _sweeps(results: Results, study: str) -> list[Sweep]:
+    """Every family that sweeps a number over three points or more; the longest sweeps first.
+
+    Families keep their order.
+    """
     groups: dict[tuple, dict[float, str]] = {}
     for point, at in results.points(study).items():
         for key, value in at["swept"].items():
             if isinstance(value, int | float) and not isinstance(value, bool):
                 others = tuple((k, str(v)) for k, v in at["swept"].items() if k != key)
                 groups.setdefault((at["family"], key, others), {})[value] = point
+    families = list(dict.fromkeys(family for family, *_ in groups))
     return [
-        (
-            ", ".join(f"{k.replace('_', ' ')} = {v}" for k, v in others),
-            key,
-            dict(sorted(points.items())),
+        Sweep(_sweep_title(family, key, others), key, dict(sorted(points.items())))
+        for (family, key, others), points in sorted(
+            groups.items(), key=lambda group: (families.index(group[0][0]), -len(group[1]))
         )
-        for (_, key, others), points in groups.items()
         if len(points) > 2
     ]
 
 
-def _band(axes: Axes, at: Any, value: pd.Series, mcse: pd.Series, colour: str) -> None:
-    """Two standard errors of the logarithm, for a logarithmic axis."""
-    factor = np.exp(BAND * mcse / value)
-    axes.fill_between(at, value / factor, value * factor, color=colour, alpha=0.18, lw=0)
+def _sweep_title(family: str, key: str, others: Iterable[tuple[str, str]]) -> str:
+    """What the points have in common: their names, where * is swept, or the other swept values."""
+    values = ", ".join(f"{name.replace('_', ' ')} = {value}" for name, value in others)
+    return values or family.replace(f"{{{key}}}", "*")
+
+
+def _curve(axes: Axes, results: Results, filter_: str, x: Any, y: Any, offset: float = 0.0) -> None:
+    """A filter's line, with a few markers: `offset`, from 0 to 1, keeps those of others apart."""
+    step = max(len(y) // MARKERS, 1)
+    label = style.label(filter_)
+    if not np.any(np.asarray(x) > 0) or not np.any(np.asarray(y) > 0):
+        label += " (error 0)"  # not on a logarithmic axis
+    axes.plot(
+        x,
+        y,
+        ms=4,
+        lw=1.3,
+        label=label,
+        markevery=(int(offset * step), step),
+        **style.look(results, filter_),
+    )
+
+
+def _band(
+    axes: Axes, results: Results, filter_: str, x: Any, value: pd.Series, mcse: pd.Series
+) -> None:
+    """Two standard errors of the logarithm, which stays positive.
+
+    An error is taken to be known to a factor of e^2 at least, where one run makes up the mean.
+    """
+    relative = np.divide(mcse, value, out=np.zeros(len(value)), where=np.asarray(value) > 0)
+    factor = np.exp(BAND * np.clip(relative, 0.0, 1.0))
+    colour = style.look(results, filter_)["color"]
+    axes.fill_between(x, value / factor, value * factor, color=colour, alpha=0.18, lw=0)
 
 
 def _unit(study: str) -> str:
@@ -134,20 +173,27 @@ def _unit(study: str) -> str:
     return f" in {unit}" if unit else ""
 
 
-def _finished(
-    drawn: Figure, panels: list, results: Results, study: str, ylabel: str | None
-) -> Figure:
-    axes = [axes for axes, _ in panels]
-    if ylabel:
-        for one in axes[::COLUMNS]:
-            one.set_ylabel(f"{ylabel}{_unit(study)}")
-    handles = {}
-    for one in axes:
-        for handle, label in zip(*one.get_legend_handles_labels(), strict=True):
+def _title(results: Results, study: str) -> str:
+    trials = results.ranking_table(study)["trials"]
+    runs = f"{trials.min()} to {trials.max()}" if trials.nunique() > 1 else f"{trials.max()}"
+    return f"{study}: every filter, {runs} runs"
+
+
+def _label_left(grid: Sequence[Axes], label: str) -> None:
+    for axes in grid[::COLUMNS]:
+        axes.set_ylabel(label)
+
+
+def _finished(drawn: Figure, grid: Sequence[Axes], title: str) -> Figure:
+    """With title, and one legend for all panels, below them."""
+    handles: dict[str, Any] = {}
+    for axes in grid:
+        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
             handles.setdefault(label, handle)
-    drawn.legend(handles.values(), handles.keys(), fontsize=8, loc="outside right upper")
-    trials = results.ranking_table(study)["trials"].max()
-    drawn.suptitle(
-        f"{study}: every filter, up to {trials} runs; bands ±{BAND} standard errors", fontsize=10
+    longest = max(map(len, handles)) + 8  # characters, with the line before the label
+    per_row = max(min(LABELS // longest, len(handles)), 1)
+    drawn.legend(
+        handles.values(), handles.keys(), fontsize=8, ncols=per_row, loc="outside lower center"
     )
+    drawn.suptitle(title, fontsize=10)
     return drawn

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import matplotlib
+import numpy as np
 
 matplotlib.use("Agg")
 
@@ -17,8 +18,8 @@ from repro.atomic import atomic_write
 from repro.plot import looks
 from repro.tables.results import Results
 
-# Okabe and Ito's palette: told apart with any kind of colour vision.
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#999933")
+COLOURS = looks.PALETTE
+DECADES = 5  # of an error's axis above what the best filter has
 BAND: float = 2.0  # standard errors on either side of a curve
 PUBLISHED = dict(color="black", marker="_", linestyle="none", markersize=14, markeredgewidth=1.6)
 
@@ -76,6 +77,46 @@ def plain_log(axes: Axes, which: str = "y") -> None:
     axis.set_major_locator(ticker.LogLocator(subs=(1.0, 2.0, 5.0)))
     axis.set_major_formatter(ticker.FormatStrFormatter("%g"))
     axis.set_minor_formatter(ticker.NullFormatter())
+
+
+def error_axis(axes: Axes, which: str) -> None:
+    """Scale and limits for the errors that are drawn: logarithmic from a factor of 4 on.
+
+    Errors of 0 are left out. Those of filters that diverge leave the axes `DECADES` above the
+    largest error of the best filter.
+    """
+    curves = [getattr(line, f"get_{which}data")() for line in axes.lines]
+    shown = [c[np.isfinite(c) & (c > 0)] for c in (np.asarray(c, dtype=float) for c in curves)]
+    shown = [curve for curve in shown if len(curve)]
+    if not shown:
+        return
+    low, high = min(map(np.min, shown)), max(map(np.max, shown))
+    highest = min(map(np.max, shown)) * 10.0**DECADES
+    _scale(axes, low, min(high, highest), which)
+    if high > highest:
+        axes.set(**{f"{which}lim": (low / 2, highest)})
+
+
+def number_axis(axes: Axes, values: Sequence[float], which: str) -> None:
+    """Scale for a swept number: logarithmic if it spans a decade and more, in its middle too."""
+    low, high = min(values), max(values)
+    if low > 0 and high / low > 20 and np.median(values) < (low + high) / 4:
+        _scale(axes, low, high, which)
+    elif all(float(value).is_integer() for value in values):
+        axis = getattr(axes, f"{which}axis")
+        axis.set_major_locator(ticker.MaxNLocator(integer=True))
+
+
+def _scale(axes: Axes, low: float, high: float, which: str) -> None:
+    if high < 4 * low:
+        return
+    if high < 1e3 * low:
+        plain_log(axes, which)
+    else:
+        axes.set(**{f"{which}scale": "log"})
+        axis = getattr(axes, f"{which}axis")
+        axis.set_major_locator(ticker.LogLocator(numticks=7))
+        axis.set_minor_formatter(ticker.NullFormatter())
 
 
 def save(drawn: Figure, path: str | Path) -> None:

@@ -155,6 +155,10 @@ class Results:
         """The distribution of those errors over the runs."""
         return pd.read_csv(self.layout.error_shares(study))
 
+    def leaderboard(self) -> pd.DataFrame:
+        """The rankings of all studies."""
+        return pd.read_csv(self.layout.page("leaderboard.csv"))
+
     def diff(self) -> pd.DataFrame:
         """Published values and claims of all papers beside ours, with their verdicts."""
         return pd.read_csv(self.layout.page("diff.csv"))

@@ -1,11 +1,13 @@
-"""Wall time, CPU time and memory of the jobs, by rule."""
+"""Wall time, CPU time and memory of the jobs, by rule; CPU time a step of the filters."""
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
 
-from repro.layout import Layout
+from repro.layout import Catalogue, Layout
 from repro.workflow.job import USAGE
 
 _USED = re.compile(rf"{USAGE} cpu_s=(?P<cpu_s>[\d.]+) peak_mb=(?P<peak_mb>[\d.]+)")
@@ -19,13 +21,9 @@ def timings(root: str | Path) -> pd.DataFrame:
     layout, rows = Layout(root), []
     for job in layout.timed_jobs():
         wall = pd.read_csv(layout.timing(*job), sep="\t")["s"].iloc[0]
-        log = Path(layout.job_log(*job))
-        usage = _USED.search(log.read_text()) if log.exists() else None
+        usage = _usage(layout.job_log(*job))
         if usage:
-            rows.append(
-                {"rule": job[0], "wall_s": wall}
-                | {name: float(value) for name, value in usage.groupdict().items()}
-            )
+            rows.append({"rule": job[0], "wall_s": wall} | usage)
     table = pd.DataFrame(rows, columns=["rule", "wall_s", "cpu_s", "peak_mb"])
     by_rule = table.groupby("rule").agg(
         jobs=("wall_s", "size"),
@@ -35,3 +33,38 @@ def timings(root: str | Path) -> pd.DataFrame:
         peak_mb=("peak_mb", "max"),
     )
     return by_rule.sort_values("cpu_s", ascending=False)
+
+
+def filter_times(
+    root: str | Path,
+    catalogue: Catalogue,
+    points: Mapping[str, Mapping[str, Mapping[str, Any]]],
+    shards: int,
+) -> pd.DataFrame:
+    """CPU time a trial and step of every filter on every point whose jobs have left their usage.
+
+    `points` gives `family`, `trials` and `steps` of each study's points. The CPU time is that of
+    whole jobs, the start of Python included.
+    """
+    layout, rows = Layout(root), []
+    for study, of_study in catalogue.items():
+        for point, filters in of_study.items():
+            at = points[study][point]
+            where = {"study": study, "family": at["family"], "point": point}
+            for filter_ in filters:
+                usages = [
+                    _usage(layout.job_log(filter_, study, point, str(shard)))
+                    for shard in range(shards)
+                ]
+                seconds = [usage["cpu_s"] for usage in usages if usage]
+                if len(seconds) == shards:
+                    cpu = 1e6 * sum(seconds) / (at["trials"] * at["steps"])
+                    rows.append(where | {"filter": filter_, "cpu_us_per_step": cpu})
+    return pd.DataFrame(rows, columns=["study", "family", "point", "filter", "cpu_us_per_step"])
+
+
+def _usage(log: str) -> dict[str, float] | None:
+    """What a job has used; None if it has left no usage."""
+    path = Path(log)
+    usage = _USED.search(path.read_text()) if path.exists() else None
+    return {name: float(value) for name, value in usage.groupdict().items()} if usage else None

@@ -10,19 +10,20 @@ from repro.studies.families.censored_network import COMPONENTS, STATE, sensors
 from repro.tables.results import Results
 
 MODEL = {"deadband": "DBLMC", "saturation": "SLMC"}
-WITHOUT_MODEL = ("dead_reckoning",)  # uses no measurement that could be censored
 
 
-def look(results: Results, study: str, filter_: str) -> dict:
-    """Colour and marker; dead reckoning, the baseline that every filter should beat, is grey."""
-    if filter_ in WITHOUT_MODEL:
-        return {"color": "0.45", "marker": None, "linestyle": "--"}
-    return style.look(results, filter_)
+def shown(results: Results, study: str) -> list[str]:
+    """The filters of Figs. 6-8 and 13-15 and the tables, dead reckoning, and a reader's own.
+
+    The paper has no dead reckoning: it is the baseline that every filter should beat.
+    """
+    ranking = results.ranking(study)
+    return results.and_own(study, POINT, [*ranking.papers, *filter(None, [ranking.nothing])])
 
 
-def label(study: str, filter_: str) -> str:
+def label(results: Results, study: str, filter_: str) -> str:
     """The paper's name of a filter: MAPF-DBLMC-NC for MAPF-NC in the study deadband."""
-    if filter_ in WITHOUT_MODEL:
+    if filter_ not in results.ranking(study).papers:
         return style.label(filter_)
     kind, *variant = style.label(filter_).split("-", 1)
     return "-".join([kind, MODEL[study], *variant])
@@ -45,16 +46,18 @@ def track(results: Results, study: str, target: int, trial: int) -> Figure:
             label=f"sensors, group {group + 1}",
         )
     axes.plot(*truth.T, color="black", lw=1.6, label="true")
-    for filter_ in ("dead_reckoning", "mapf"):
+    for filter_ in results.and_own(study, POINT, ("dead_reckoning", "mapf")):
         error = results.runs(study, POINT, filter_).error[trial, :, columns]
-        line = look(results, study, filter_) | {"marker": "." if filter_ == "mapf" else None}
+        line = style.look(results, filter_)
+        if line["marker"] != "None":
+            line["marker"] = "."
         rms = np.sqrt((error[1:] ** 2).sum(axis=1).mean())
         axes.plot(
             *(truth + error).T,
             lw=1.1,
             ms=4,
             **line,
-            label=f"{label(study, filter_)}, {rms:.2f} m rms",
+            label=f"{label(results, study, filter_)}, {rms:.2f} m rms",
         )
     axes.plot(*truth[0], "o", color="black", ms=5)
     axes.annotate("k = 0", truth[0], xytext=(6, -10), textcoords="offset points", fontsize=8)
@@ -102,19 +105,18 @@ def first_component(results: Results, study: str, trial: int) -> Figure:
 
 
 def rmse_over_k(results: Results, study: str, target: int) -> Figure:
-    """RMSE over k of every filter, a band of two standard errors, and the printed averages."""
+    """RMSE over k with a band of two standard errors, and the printed averages."""
     curves = results.curves(study)
     curves = curves[(curves["metric"] == "rmse") & (curves["component"] == f"target_{target}")]
     published = results.diff()
     here = (published["study"] == study) & (published["component"] == f"target_{target}")
     published = published[here].set_index("filter")["published"]
     drawn, axes = style.figure(size=(7.2, 4.6))
-    for filter_ in results.filters(study, POINT):
+    for filter_ in shown(results, study):
         rows = curves[(curves["point"] == POINT) & (curves["filter"] == filter_)]
-        line = look(results, study, filter_)
-        axes.plot(
-            rows["k"], rows["value"], lw=1.4, ms=4, markevery=8, label=label(study, filter_), **line
-        )
+        line = style.look(results, filter_)
+        name = label(results, study, filter_)
+        axes.plot(rows["k"], rows["value"], lw=1.4, ms=4, markevery=8, label=name, **line)
         band = 2 * rows["mcse"]
         axes.fill_between(
             rows["k"],
@@ -147,11 +149,11 @@ def time_averages(results: Results, study: str) -> Figure:
     diff = results.diff()
     diff = diff[diff["study"] == study].set_index(["filter", "component"])
     drawn, grid = style.figure(1, 4, size=(9.2, 3.9), sharey=True)
-    filters = results.filters(study, POINT)
+    filters = shown(results, study)
     averages = {filter_: time_average(results, study, filter_) for filter_ in filters}
     for i, (component, axes) in enumerate(zip(COMPONENTS, grid, strict=True)):
         for place, (filter_, average) in enumerate(averages.items()):
-            colour = look(results, study, filter_)["color"]
+            colour = style.look(results, filter_)["color"]
             value, error = average.value[i], average.mcse()[i]
             axes.errorbar(place + 0.12, value, 2 * error, fmt="o", ms=5, color=colour, capsize=3)
             if (filter_, component) in diff.index:
@@ -171,7 +173,7 @@ def time_averages(results: Results, study: str) -> Figure:
             xlim=(-0.6, len(filters) - 0.4),
         )
         axes.set_xticklabels(
-            [label(study, f) for f in filters], rotation=40, ha="right", fontsize=7.5
+            [label(results, study, f) for f in filters], rotation=40, ha="right", fontsize=7.5
         )
         style.plain_log(axes)
     grid[0].errorbar([], [], [], fmt="_", ms=11, color="black", capsize=3, label="published")
@@ -194,8 +196,9 @@ def sensitivity(results: Results) -> Figure:
         for filter_ in dict.fromkeys(levels["filter"]):
             rows = levels[levels["filter"] == filter_]
             place = [readings.index(reading) for reading in rows["reading"]]
-            line = look(results, study, filter_) | {"linestyle": "none"}
-            line["marker"] = line["marker"] or "|"
+            line = style.look(results, filter_) | {"linestyle": "none"}
+            if line["marker"] == "None":
+                line["marker"] = "|"
             left.errorbar(
                 rows["value"],
                 place,

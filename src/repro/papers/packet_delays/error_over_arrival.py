@@ -4,19 +4,19 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from repro.papers.packet_delays.points import LINEAR, linear_points
+from repro.papers.packet_delays.points import FIGURES_1_2, LINEAR, linear_points
 from repro.plot import style
-from repro.plot.sweep import BAND, sweep
+from repro.plot.sweep import BAND, on_any, sweep
 from repro.tables.results import Results
 
 
 def error_over_arrival_probability(results: Results, component: str) -> Figure:
-    """RMS error of every filter with its band, and the error that the OMVF claims to have."""
+    """RMS error of the filters with its band, and the error that the OMVF claims to have."""
     points = linear_points(results)
     drawn, (axes, excess) = style.figure(
         2, 1, size=(7.0, 6.2), sharex=True, gridspec_kw={"height_ratios": [2, 1]}
     )
-    sweep(axes, results, LINEAR, points, "rmse", component)
+    sweep(axes, results, LINEAR, points, "rmse", component, filters=FIGURES_1_2)
     table = results.table(LINEAR)
     claimed = table[
         (table["filter"] == "omvf")
@@ -48,7 +48,7 @@ def _draw_excess(axes: Axes, results: Results, points: dict[float, str], compone
     table = results.table(LINEAR)
     table = table[(table["metric"] == "rmse") & (table["component"] == component)]
     by_filter = table.pivot(index="point", columns="filter", values="value").loc[names]
-    for filter_ in results.filters(LINEAR, names[0]):
+    for filter_ in on_any(results, LINEAR, names, FIGURES_1_2):
         look = style.look(results, filter_)
         percent = 100 * (by_filter[filter_] / by_filter["sun"] - 1)
         axes.plot(list(points), percent, markersize=4, lw=1.3, **look)

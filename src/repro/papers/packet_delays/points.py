@@ -6,6 +6,11 @@ from repro.logs import Log
 from repro.tables.results import Results
 
 LINEAR, TRACKING = "linear_delays", "wsn_tracking"
+# Filters of the redrawn figures: the paper's and those that it compares, and as yardsticks a genie
+# and the best filter of the OMVF's form (Figs. 1-2), and the EKF that knows the arrivals (3-10).
+FIGURES_1_2 = ("omvf", "nahi", "intermittent_kf", "sun", "genie", "best_in_form")
+FIGURES_3_6 = ("emvf", "ekf", "iekf")
+FIGURES_7_10 = ("emvf", "iekf")
 
 
 def tracking_point(bound: int, arrival: str) -> str:

@@ -5,7 +5,13 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib.figure import Figure
 
-from repro.papers.packet_delays.points import TRACKING, missed_packets, tracking_point
+from repro.papers.packet_delays.points import (
+    FIGURES_3_6,
+    FIGURES_7_10,
+    TRACKING,
+    missed_packets,
+    tracking_point,
+)
 from repro.plot import style
 from repro.statistics.runs import Runs
 from repro.studies import wsn_tracking
@@ -24,18 +30,22 @@ class Curve(NamedTuple):
 
 
 def curves(results: Results, arrival: str, ekf: bool) -> list[Curve]:
-    """EMVF with N = 1 and N = 2, and each other filter once; the EKF where the paper draws it."""
-    first, second = (tracking_point(bound, arrival) for bound in (1, 2))
+    """EMVF and a reader's own filters with N = 1 and N = 2, the others with N = 1.
+
+    The EKF is drawn where the paper draws it.
+    """
     drawn = []
-    for filter_ in results.filters(TRACKING, first):
-        look = style.look(results, filter_)
-        if filter_ == "emvf":
-            drawn.append(Curve("EMVF, N = 1", first, filter_, look))
-            other = look | {"color": style.COLOURS[3], "marker": "s"}
-            drawn.append(Curve("EMVF, N = 2", second, filter_, other))
-        elif filter_ != "ekf" or ekf:
-            drawn.append(Curve(style.label(filter_), first, filter_, look))
-    return drawn
+    for bound, other in ((1, {}), (2, {"linestyle": "--"})):
+        point = tracking_point(bound, arrival)
+        for filter_ in results.and_own(TRACKING, point, FIGURES_3_6 if ekf else FIGURES_7_10):
+            look, label = style.look(results, filter_) | other, style.label(filter_)
+            if filter_ == "emvf" and bound == 2:
+                look = style.look(results, filter_) | {"color": style.COLOURS[3], "marker": "s"}
+            if filter_ == "emvf" or filter_ in results.own_filters:
+                drawn.append(Curve(f"{label}, N = {bound}", point, filter_, look))
+            elif bound == 1:
+                drawn.append(Curve(label, point, filter_, look))
+    return sorted(drawn, key=lambda curve: curve.filter != "emvf")  # its two side by side
 
 
 def missed_steps(results: Results, arrival: str) -> np.ndarray:

@@ -1,0 +1,46 @@
+"""Colours and markers of the filters, those of a reader's own among them."""
+
+from itertools import combinations
+
+from repro.plot import looks
+from repro.plot.looks import LOOKS, RESERVE, look
+from tests.conftest import catalogue
+
+OWN = [f"mine_{i}" for i in range(20)]
+
+
+def pair(filter_, own=()):
+    of = look(filter_, own)
+    return of["color"], of["marker"]
+
+
+def test_filters_of_a_study_can_be_told_apart():
+    for study, points in catalogue().items():
+        names = dict.fromkeys(name for filters in points.values() for name in filters)
+        for first, second in combinations(names, 2):
+            assert pair(first) != pair(second), (study, first, second)
+
+
+def test_a_new_filter_changes_no_other_and_shares_with_none():
+    names = [*LOOKS]
+    for number in range(len(OWN)):
+        own, fewer = OWN[: number + 1], OWN[:number]
+        for name in (*names, *fewer):
+            assert look(name, own) == look(name, fewer)
+        assert pair(own[-1], own) not in {pair(name, fewer) for name in (*names, *fewer)}
+
+
+def test_reserve_colours_are_no_listed_ones():
+    reserved = [colour for colour, _ in RESERVE]
+    assert not set(reserved) & {colour for colour, _ in LOOKS.values()}
+    assert len(set(reserved)) == len(reserved)
+    first = [pair(name, OWN)[0] for name in OWN[: len(RESERVE)]]
+    assert first == reserved
+
+
+def test_a_filter_that_a_readers_parameter_file_ranks_has_a_reserved_look():
+    assert pair("of_a_study_of_ones_own")[0] in {colour for colour, _ in RESERVE}
+
+
+def test_what_uses_no_measurement_is_dashed():
+    assert [look(name, ())["linestyle"] for name in looks.BASELINES] == ["--", "--"]
