@@ -11,7 +11,8 @@ from repro.tables.results import Results
 NEEDS = {"points": {"ungm": ["base"]}}
 CAPTION = (
     "Figure 2. The scalar example in one run, not a selected one: truth, PF-ROSS-EH and SPF. The "
-    "title says in how many runs PF-ROSS-EH has the smaller error."
+    "title says in how many runs PF-ROSS-EH has the smaller error. figures/studies/ungm has every "
+    "filter."
 )
 SHOWN = (PROPOSED, "spf")
 

@@ -8,7 +8,10 @@ from repro.studies.families import signal_strength
 from repro.tables.results import Results
 
 NEEDS = {"points": {"rss_2d": ["base"]}}
-CAPTION = "Figure 3. The track in the plane and its estimate in one run, not a selected one."
+CAPTION = (
+    "Figure 3. The track in the plane and its estimate in one run, not a selected one. "
+    "figures/studies/rss_2d has every filter."
+)
 
 
 def draw(results: Results) -> Figure:

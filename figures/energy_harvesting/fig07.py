@@ -7,8 +7,8 @@ from repro.tables.results import Results
 
 NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["base"]}}
 CAPTION = (
-    "Figure 7. RMSE of the velocity in the plane, all filters; in grey the prediction "
-    "from x(0) without any data. The paper prints no number."
+    "Figure 7. RMSE of the velocity in the plane; in grey the prediction from x(0) without any "
+    "data. The paper prints no number. figures/studies/rss_2d has every filter."
 )
 
 

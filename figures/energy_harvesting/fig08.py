@@ -9,7 +9,7 @@ from repro.tables.results import Results
 NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["base", "gamma=0.5", "gamma=0.8"]}}
 CAPTION = (
     "Figure 8. RMSE of PF-ROSS-EH over k by the probability of saturation; "
-    "in grey the prediction without data."
+    "in grey the prediction without data. figures/studies/rss_2d has every filter."
 )
 
 

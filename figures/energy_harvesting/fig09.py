@@ -9,7 +9,7 @@ from repro.tables.results import Results
 NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["sensors=2", "base", "sensors=6"]}}
 CAPTION = (
     "Figure 9. RMSE of PF-ROSS-EH over k by the number of sensors; "
-    "in grey the prediction without data."
+    "in grey the prediction without data. figures/studies/rss_2d has every filter."
 )
 
 

@@ -8,7 +8,8 @@ from repro.tables.results import Results
 
 NEEDS = {"tables": ["rss_2d"], "points": {"rss_2d": ["base"]}}
 CAPTION = (
-    "Figure 10. RMSE of PF-ROSS-EH over k by the harvest; in grey the prediction without data."
+    "Figure 10. RMSE of PF-ROSS-EH over k by the harvest; in grey the prediction without data. "
+    "figures/studies/rss_2d has every filter."
 )
 
 

@@ -8,7 +8,10 @@ from repro.studies.families import signal_strength
 from repro.tables.results import Results
 
 NEEDS = {"points": {"rss_3d": ["base"]}}
-CAPTION = "Figure 11. The track in space and its estimate in one run, not a selected one."
+CAPTION = (
+    "Figure 11. The track in space and its estimate in one run, not a selected one. "
+    "figures/studies/rss_3d has every filter."
+)
 
 
 def draw(results: Results) -> Figure:

@@ -7,8 +7,8 @@ from repro.tables.results import Results
 
 NEEDS = {"tables": ["rss_3d"], "points": {"rss_3d": ["base"]}}
 CAPTION = (
-    "Figure 13. RMSE of the velocity in space, all filters; in grey the prediction "
-    "from x(0) without any data. The paper prints no number."
+    "Figure 13. RMSE of the velocity in space; in grey the prediction from x(0) without any "
+    "data. The paper prints no number. figures/studies/rss_3d has every filter."
 )
 
 

@@ -15,7 +15,7 @@ CAPTION = (
     "Figure 2. Time of an iteration of one trial (best of several, batched over trials), "
     "measured once on the machine named above it by benchmarks/iteration_times.py, which a "
     "rebuild does not repeat; sum of RMSE; and how many distinct triples the fast form "
-    "updates. p and the grid of N are assumed."
+    "updates. p and the grid of N are assumed. figures/studies/linear_losses has every filter."
 )
 
 

@@ -11,7 +11,8 @@ NEEDS = {
 }
 CAPTION = (
     "Figure 3. Position RMSE over time with bands of 2 standard errors, and the medians of "
-    "the runs: a few lost runs carry the RMSE. The paper's horizon is not known."
+    "the runs: a few lost runs carry the RMSE. The paper's horizon is not known. "
+    "figures/studies/radar has every filter."
 )
 
 

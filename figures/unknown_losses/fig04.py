@@ -7,7 +7,8 @@ from repro.tables.results import Results
 
 NEEDS = {"tables": ["radar"], "points": {"radar": ["loss=0.1", "loss=0.5", "loss=0.8"]}}
 CAPTION = (
-    "Figure 4. Position RMSE over time at p = 0.1, 0.5 and 0.8, with bands of 2 standard errors."
+    "Figure 4. Position RMSE over time at p = 0.1, 0.5 and 0.8, with bands of 2 standard errors. "
+    "figures/studies/radar has every filter."
 )
 
 

@@ -8,7 +8,7 @@ from repro.tables.results import Results
 NEEDS = {"points": {"radar": ["poor-loss=0.9"]}}
 CAPTION = (
     "Figure 5c. As Figs. 5a and 5b, at p = 0.9 and with the filters started on [200, 0, 0] "
-    "along each axis."
+    "along each axis. figures/studies/radar has every filter."
 )
 
 

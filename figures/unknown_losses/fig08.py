@@ -8,7 +8,8 @@ from repro.tables.results import Results
 NEEDS = {"points": {"quadrotor": ["nominal"]}}
 CAPTION = (
     "Figure 8. One flight on the estimates of each filter, the one whose rms distance to the path "
-    "is the median with the RBPF. Every filter flies under the same noise and losses, p = 0.2."
+    "is the median with the RBPF. Every filter flies under the same noise and losses, p = 0.2. "
+    "figures/studies/quadrotor has every filter."
 )
 
 

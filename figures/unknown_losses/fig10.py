@@ -11,7 +11,7 @@ CAPTION = (
     "bounded bias: the estimate averages y and the loop holds it at the command. On a path 100 "
     "times as large, with filters that trust y, the altitude's estimate drops at every loss and "
     "climbs after it: the derivative shuts the throttle four steps in five, and the quadrotor "
-    "falls and tumbles."
+    "falls and tumbles. figures/studies/quadrotor has every filter."
 )
 
 

@@ -3,27 +3,30 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from repro.papers.unknown_losses.points import proposed_filters
+from repro.papers.unknown_losses.points import PICTURED
 from repro.plot import style
+from repro.plot.sweep import running
 from repro.tables.results import Results
 
 NEEDS = {"tables": ["radar"]}
 CAPTION = (
     "Position RMSE on the radar at p = 0.5 under one changed assumption at a time: RMSE with "
-    "its standard error, and the median of the single runs (crosses)."
+    "its standard error, and the median of the single runs (crosses). figures/studies/radar has "
+    "every filter."
 )
 BASE = "loss=0.5"
+SPREAD = 0.68  # of the filters at a point; points are 1 apart
 
 
 def draw(results: Results) -> Figure:
     table = results.table("radar")
     table = table.loc[table["metric"] == "rmse"]
-    points = [BASE, *(p for p in table["point"].unique() if p.startswith("reading-"))]
+    points = [BASE, *(p for p in results.catalogue["radar"] if p.startswith("reading-"))]
     drawn, axes = style.figure(size=(7.8, 4.6))
-    filters = ("iekf", *proposed_filters(results.catalogue, "radar", BASE))
-    for i, filter_ in enumerate(filters):
-        rows = table.loc[table["filter"] == filter_].set_index("point").loc[points]
-        place = np.arange(len(points)) + 0.17 * (i - 1.5)
+    drawn_on = running(results, "radar", dict(enumerate(points)), PICTURED["radar"])
+    for i, (filter_, on) in enumerate(drawn_on.items()):
+        rows = table.loc[table["filter"] == filter_].set_index("point").loc[list(on.values())]
+        place = np.array(list(on)) + SPREAD / len(drawn_on) * (i - (len(drawn_on) - 1) / 2)
         color = style.look(results, filter_)["color"]
         label = "IEKF" if filter_ == "iekf" else style.label(filter_)
         axes.errorbar(

@@ -12,7 +12,7 @@ import numpy as np
 import pandas as pd
 
 from repro import plugins
-from repro.errors import ReproError
+from repro.errors import ReproError, computing
 from repro.logs import Log
 from repro.network.channels import Recorded
 from repro.parameters.load import Paper, Point, load_paper, load_run
@@ -26,7 +26,9 @@ from repro.statistics.paired import decided
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Columns
 from repro.streams import Streams
+from repro.studies import ClosedLoop
 
+FILTERS = "repro.filters"
 PARAMETERS = Path(__file__).resolve().parents[3] / "params"
 
 
@@ -57,14 +59,19 @@ class StudyAtPoints:
     def simulate(
         self, point: str, trials: int | None = None, seed: int | None = None, **changes: Any
     ) -> Log:
-        """A log in memory; `changes` are other values of the point's parameters."""
+        """A log in memory; `changes` are other values of the point's parameters.
+
+        The same trials as the workflow's, unless `seed` is another than its root seed. Raises
+        ReproError for an unknown point or parameter, and for a value that does not fit.
+        """
         parameters = self.point(point).parameters
         if trials is not None:
             changes["trials"] = trials
         where = f"{self.name}, {point}"
         parameters = self.scenario.Parameters.checked(parameters.plain() | changes, where)
         root_seed = load_run(PARAMETERS / "run.yaml", {}).root_seed if seed is None else seed
-        return simulated(self.name, point, parameters, root_seed, np.arange(parameters.trials))
+        with computing(where):
+            return simulated(self.name, point, parameters, root_seed, np.arange(parameters.trials))
 
     def model(self, point: str) -> Any:
         """What a filter knows of system and network at a point."""
@@ -98,12 +105,14 @@ def study(name: str) -> StudyAtPoints:
 def run(filter_: Any, log: Log, **settings: Any) -> Estimates:
     """A filter on a log: given by its name, as a module, or as any object with LABEL, SEES, build.
 
-    Settings that are not given are those of the log's point. Raises ReproError in one line.
+    Settings that are not given are those that the log's point has for a filter of this package,
+    else their defaults. Raises ReproError in one line.
     """
     name, module = plugins.named_filter(filter_)
-    of_study = paper_of(log.study).studies[log.study]
-    of_point = of_study.get(log.point) if isinstance(filter_, str) else None
-    known = of_point.filters.get(name, {}) if of_point else {}
+    known: Mapping[str, Any] = {}
+    if isinstance(filter_, str) or getattr(module, "__name__", "") == f"{FILTERS}.{name}":
+        of_point = paper_of(log.study).studies[log.study].get(log.point)
+        known = of_point.filters.get(name, {}) if of_point else {}
     estimate, runs = run_on_log(log, filter_, known | settings)
     squared = plugins.study(log.study).squared_error(runs)
     return Estimates(module.LABEL, estimate, runs.error, runs, squared)
@@ -122,32 +131,31 @@ def estimate(
 ) -> np.ndarray:
     """Estimates (trials, steps, n), or (steps, n) of a single record, from plain arrays.
 
-    `received` is (steps,), (steps, m) or (trials, steps, m); step 0 is used if `first_step` is 0.
-    `arrival` is (steps,) or (trials, steps); further channels are given by name. Raises ReproError.
+    `received` is (steps,) or (steps, m) of a single record, or (trials, steps, ...); `arrival` is
+    (steps,) or (trials, steps). Further channels are given by name and have a leading axis of
+    trials only if `received` has. Row 0 belongs to the initial state: it is used only if
+    `first_step` is 0. Raises ReproError.
     """
     name, module = plugins.named_filter(filter_)
     task = Task(name, "plain arrays")
-    built = build(task, module, model, dict(settings or {}))
+    if not hasattr(model, "initial_mean"):
+        raise ReproError(f"{task}: the model, a {type(model).__name__}, has no initial_mean")
     given = {"received": received, "arrival": arrival, **channels}
-    arrays = {
-        key: np.asarray(value, dtype=float) for key, value in given.items() if value is not None
-    }
+    arrays = {key: _array(task, key, value) for key, value in given.items() if value is not None}
     single = arrays["received"].ndim < 3
     if single:
         arrays = {key: value[None] for key, value in arrays.items()}
-    lengths = {key: value.shape[:2] for key, value in arrays.items()}
-    if len(set(lengths.values())) > 1:
-        raise ReproError(f"{task}: the channels have other trials or steps: {lengths}")
-    trials, steps = lengths["received"]
+        arrays["received"] = arrays["received"].reshape(*arrays["received"].shape[:2], -1)
+    _check_shapes(task, arrays, single)
+    trials, steps, *_ = arrays["received"].shape
     numbers = np.arange(trials)
+    stream = f"filter:{getattr(module, 'STREAM', name)}"
     block = Block(
         task,
-        built,
+        build(task, module, model, dict(settings or {})),
         module.SEES,
         Recorded(**arrays),
-        Streams(
-            seed, "plain arrays", f"filter:{getattr(module, 'STREAM', name)}", numbers.tolist()
-        ),
+        Streams(seed, "plain arrays", stream, numbers.tolist()),
         numbers,
         steps=steps,
         states=len(model.initial_mean),
@@ -155,6 +163,30 @@ def estimate(
     )
     estimated = block.run().estimate
     return estimated[0] if single else estimated
+
+
+def _array(task: Task, channel: str, value: Any) -> np.ndarray:
+    """A channel as an array of numbers, (steps, ...) at least."""
+    try:
+        array = np.asarray(value)
+        if channel in ("received", "arrival") or array.dtype.kind not in "iu":
+            array = array.astype(float)  # codes stay integers
+    except (TypeError, ValueError) as error:
+        raise ReproError(f"{task}: {channel} is not an array of numbers: {error}") from None
+    if array.ndim == 0:
+        raise ReproError(f"{task}: {channel} is a single number; it must be (steps, ...)")
+    return array
+
+
+def _check_shapes(task: Task, arrays: Mapping[str, np.ndarray], single: bool) -> None:
+    """Raises ReproError unless all channels have the trials and steps of what is received."""
+    wanted = arrays["received"].shape[:2]
+    shapes = ", ".join(f"{name} {value.shape[single:]}" for name, value in arrays.items())
+    if any(value.shape[:2] != wanted for value in arrays.values()):
+        raise ReproError(f"{task}: the channels differ in trials or steps: {shapes}")
+    if "arrival" in arrays and arrays["arrival"].ndim != 2:
+        leading = "(steps,)" if single else "(trials, steps)"
+        raise ReproError(f"{task}: arrival must be {leading}: {shapes}")
 
 
 def compare(filters: Mapping[str, Any], log: Log, tolerance: float = 3.0) -> pd.DataFrame:
@@ -165,6 +197,10 @@ def compare(filters: Mapping[str, Any], log: Log, tolerance: float = 3.0) -> pd.
     standard error, median of the single runs, the difference to the best with its paired standard
     error, and the verdict at `tolerance` standard errors: best, worse, not decided.
     """
+    if not filters:
+        raise ReproError("compare: no filter is given")
+    if "/truth" not in log.values and not isinstance(plugins.study(log.study), ClosedLoop):
+        raise ReproError("compare: the log has no /truth, so there are no errors to compare")
     found = {}
     for name, given in filters.items():
         filter_, settings = given if isinstance(given, tuple) else (given, {})

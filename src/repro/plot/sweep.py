@@ -1,6 +1,6 @@
-"""A statistic of the filters over a swept parameter, with its Monte Carlo band."""
+"""A statistic of several filters over a swept parameter, with its Monte Carlo band."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from matplotlib.axes import Axes
 
@@ -9,12 +9,20 @@ from repro.plot.style import BAND
 from repro.tables.results import Results
 
 
-def on_any(
-    results: Results, study: str, points: Iterable[str], filters: Iterable[str]
-) -> list[str]:
-    """The named filters and a reader's own that run on any of the points."""
-    found = {f for point in points for f in results.filters(study, point)}
-    return [f for f in (*filters, *results.own_filters) if f in found]
+def running(
+    results: Results, study: str, points: Mapping[float, str], filters: Iterable[str] | None = None
+) -> dict[str, dict[float, str]]:
+    """Those of `points` (swept value -> name) that a filter runs on, by filter.
+
+    The filters are those given and a reader's own, as far as they run on any; all if none is given.
+    """
+    every = (f for point in points.values() for f in results.filters(study, point))
+    wanted = dict.fromkeys(every if filters is None else (*filters, *results.own_filters))
+    on_points = {
+        name: {at: p for at, p in points.items() if name in results.filters(study, p)}
+        for name in wanted
+    }
+    return {name: where for name, where in on_points.items() if where}
 
 
 def sweep(
@@ -29,35 +37,22 @@ def sweep(
 ) -> None:
     """Draw one line a filter: `points` maps the swept value to the point's name.
 
-    `names` are the filters' names in this figure, where they differ from their labels. `filters`
-    are those of the published figure; by default the ones that run on every point, but for the
-    one that uses no measurement. A reader's own are drawn on the points that they run on.
+    `names` are the filters' names in this figure, where they differ from their labels; `filters`
+    those that are drawn besides a reader's own (default: all).
     """
     table = results.table(study)
     table = table.loc[(table["metric"] == metric) & (table["component"] == component)]
-    if filters is None:
-        filters = _on_all(results, study, list(points.values()))
-    for filter_ in on_any(results, study, points.values(), filters):
-        rows = table.loc[table["filter"] == filter_].set_index("point")
-        there = {value: point for value, point in points.items() if point in rows.index}
-        rows = rows.loc[list(there.values())]
+    for filter_, on in running(results, study, points, filters).items():
+        values = list(on)
+        rows = table.loc[table["filter"] == filter_].set_index("point").loc[list(on.values())]
         look = style.look(results, filter_)
         label = (names or {}).get(filter_, style.label(filter_))
-        axes.plot(list(there), rows["value"], label=label, markersize=4, lw=1.3, **look)
+        axes.plot(values, rows["value"], label=label, markersize=4, lw=1.3, **look)
         axes.fill_between(
-            list(there),
+            values,
             rows["value"] - BAND * rows["mcse"],
             rows["value"] + BAND * rows["mcse"],
             color=look["color"],
             alpha=0.2,
             lw=0,
         )
-
-
-def _on_all(results: Results, study: str, points: list[str]) -> list[str]:
-    left_out = {results.ranking(study).nothing, *results.own_filters}
-    return [
-        f
-        for f in results.filters(study, points[0])
-        if f not in left_out and all(f in results.filters(study, point) for point in points)
-    ]

@@ -83,7 +83,8 @@ def squared_error(runs: Runs) -> np.ndarray:
 def claimed_mean_square(runs: Runs) -> np.ndarray:
     """Sum of the claimed variances, mean over the steps, (trials,)."""
     assert runs.claimed is not None
-    return runs.claimed.sum(axis=-1).mean(axis=1)
+    claimed = np.broadcast_to(runs.claimed, runs.error.shape)  # some claim it for all trials alike
+    return claimed.sum(axis=-1).mean(axis=1)
 
 
 class LinearLosses(Study):
@@ -153,7 +154,8 @@ class LinearLosses(Study):
         yield "rmse_sum", "state", metrics.statistic(rmse_sum)
         mean_squared = shards.each(lambda runs: squared_error(runs).mean(axis=1))
         yield "mse", "state", metrics.mean(mean_squared)
-        yield "claimed_mse", "state", metrics.mean(shards.each(claimed_mean_square))
+        if shards.first.claimed is not None:
+            yield "claimed_mse", "state", metrics.mean(shards.each(claimed_mean_square))
         if "triples" in shards.first.recorded:
             triples = shards.each(lambda runs: runs.recorded["triples"].mean(axis=1))
             yield "triples", "state", metrics.mean(triples)

@@ -1,6 +1,6 @@
 """What the figures of [energy_harvesting] share: one run, and RMSE over k with its band."""
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,7 +11,6 @@ from repro import plugins
 from repro.network import energy_harvesting
 from repro.network.energy_harvesting import TransmissionRule
 from repro.papers.energy_harvesting.compared import (
-    EXTENSIONS,
     PAPERS_FILTERS,
     PROPOSED,
     SWEPT_STUDY,
@@ -26,6 +25,7 @@ from repro.tables.results import Results
 
 UNITS = {"position": "m", "velocity": "m/s"}
 EXPLAINED = f"bands ±{BAND} standard errors, dotted the median run"
+OWN_LINES = ("--", "-.")
 SMALLEST_DRAWN = 1e-3  # lower end of a band that reaches zero, on a logarithmic axis
 
 
@@ -36,22 +36,28 @@ class Curve(NamedTuple):
     point: str
     filter: str
     colour: str
+    line: str = "-"
 
 
-def all_filters(results: Results, study: str) -> list[Curve]:
-    """Every filter that runs on the study's base point."""
+def compared_filters(results: Results, study: str) -> list[Curve]:
+    """The filters that the paper compares, and a reader's own, on the study's base point."""
     return [
         Curve(style.label(f), "base", f, style.look(results, f)["color"])
-        for f in results.filters(study, "base")
+        for f in results.and_own(study, "base", PAPERS_FILTERS)
     ]
 
 
-def over_points(labels: dict[str, str]) -> list[Curve]:
-    """PF-ROSS-EH at several points, given with their labels."""
-    return [
-        Curve(label, point, PROPOSED, colour)
-        for (point, label), colour in zip(labels.items(), style.COLOURS, strict=False)
+def over_points(results: Results, labels: dict[str, str]) -> list[Curve]:
+    """PF-ROSS-EH at several points, given with their labels; dashed a reader's own filters."""
+    colours = dict(zip(labels, style.COLOURS, strict=False))
+    own = [
+        Curve(f"{style.label(f)}, {label}", point, f, colours[point], OWN_LINES[i % len(OWN_LINES)])
+        for i, f in enumerate(results.own_filters)
+        for point, label in labels.items()
+        if f in results.filters(SWEPT_STUDY, point)
     ]
+    proposed = [Curve(label, point, PROPOSED, colours[point]) for point, label in labels.items()]
+    return [*proposed, *own]
 
 
 def step_label(parameters: SignalStrengthParameters) -> str:
@@ -65,10 +71,12 @@ def rmse_over_k(
     """RMSE(k) with its Monte Carlo band, the median error of a run, and open-loop prediction."""
     table = results.curves(study)
     table = table.loc[(table["component"] == component) & (table["k"] > 0)]
-    lowest = table.loc[table["point"].isin([curve.point for curve in curves]), "median"].min()
+    lowest = np.inf
     for curve in curves:
         rows = table.loc[(table["point"] == curve.point) & (table["filter"] == curve.filter)]
-        axes.plot(rows["k"], rows["value"], lw=1.4, label=curve.label, color=curve.colour)
+        lowest = min(lowest, rows["median"].min())
+        look = {"color": curve.colour, "ls": curve.line}
+        axes.plot(rows["k"], rows["value"], lw=1.4, label=curve.label, **look)
         axes.plot(rows["k"], rows["median"], lw=0.9, ls=":", color=curve.colour)
         axes.fill_between(
             rows["k"],
@@ -100,9 +108,9 @@ def prediction(
 
 
 def rmse_figure(results: Results, study: str, component: str) -> Figure:
-    """Figures 6, 7, 12, 13: every filter."""
+    """Figures 6, 7, 12, 13: the filters that the paper compares."""
     drawn, axes = style.figure(size=(7.2, 4.6))
-    rmse_over_k(axes, results, study, component, all_filters(results, study))
+    rmse_over_k(axes, results, study, component, compared_filters(results, study))
     trials = len(results.log(study, "base").trials)
     axes.set_title(f"{trials} runs; {EXPLAINED}", fontsize=9)
     axes.legend(fontsize=8, ncols=2)
@@ -118,7 +126,7 @@ def sweep_figure(results: Results, sweep: Sweep) -> Figure:
     }
     drawn, grid = style.figure(1, 2, size=(9.2, 4.2))
     for axes, component in zip(grid, UNITS, strict=True):
-        rmse_over_k(axes, results, SWEPT_STUDY, component, over_points(labels))
+        rmse_over_k(axes, results, SWEPT_STUDY, component, over_points(results, labels))
     grid[0].legend(fontsize=8)
     trials = len(results.log(SWEPT_STUDY, "base").trials)
     drawn.suptitle(f"{style.label(PROPOSED)}, {trials} runs; {EXPLAINED}", fontsize=10)
@@ -131,19 +139,14 @@ def shown_run(results: Results, study: str) -> int:
 
 
 def estimates(
-    results: Results, study: str, shown: Iterable[str] = (PROPOSED,)
+    results: Results, study: str, shown: Sequence[str] = (PROPOSED,)
 ) -> dict[str, np.ndarray]:
-    """Truth and estimates of the shown run, (steps + 1, n) each.
-
-    Of the filters of the paper and of this project only those in `shown`, but any new filter.
-    """
+    """Truth and estimates of the shown run, (steps + 1, n) each: of `shown` and a reader's own."""
     run = shown_run(results, study)
-    left_out = {*PAPERS_FILTERS, *EXTENSIONS} - set(shown)
     truth = results.log(study, "base").values["/truth"][run]
     return {"truth": truth} | {
         f: truth + results.runs(study, "base", f).error[run]
-        for f in results.filters(study, "base")
-        if f not in left_out
+        for f in results.and_own(study, "base", shown)
     }
 
 

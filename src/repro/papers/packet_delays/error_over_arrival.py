@@ -6,7 +6,8 @@ from matplotlib.figure import Figure
 
 from repro.papers.packet_delays.points import FIGURES_1_2, LINEAR, linear_points
 from repro.plot import style
-from repro.plot.sweep import BAND, on_any, sweep
+from repro.plot.style import BAND
+from repro.plot.sweep import running, sweep
 from repro.tables.results import Results
 
 
@@ -44,14 +45,13 @@ def error_over_arrival_probability(results: Results, component: str) -> Figure:
 
 def _draw_excess(axes: Axes, results: Results, points: dict[float, str], component: str) -> None:
     """How far each filter is above the exact LMMSE filter on the same runs."""
-    names = list(points.values())
     table = results.table(LINEAR)
     table = table[(table["metric"] == "rmse") & (table["component"] == component)]
-    by_filter = table.pivot(index="point", columns="filter", values="value").loc[names]
-    for filter_ in on_any(results, LINEAR, names, FIGURES_1_2):
-        look = style.look(results, filter_)
-        percent = 100 * (by_filter[filter_] / by_filter["sun"] - 1)
-        axes.plot(list(points), percent, markersize=4, lw=1.3, **look)
+    by_filter = table.pivot(index="point", columns="filter", values="value")
+    for filter_, on in running(results, LINEAR, points, FIGURES_1_2).items():
+        here = by_filter.loc[list(on.values())]
+        percent = 100 * (here[filter_] / here["sun"] - 1)
+        axes.plot(list(on), percent, markersize=4, lw=1.3, **style.look(results, filter_))
     axes.set(
         xlabel="packet arrival probability p",
         ylabel="above the exact\nLMMSE filter in %",

@@ -8,16 +8,16 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from repro.papers.unknown_losses.points import particle_sweeps, proposed_filters, swept
+from repro.papers.unknown_losses.points import PICTURED, PROPOSED, particle_sweeps, swept
 from repro.plot import style
-from repro.plot.sweep import BAND, sweep
+from repro.plot.sweep import BAND, running, sweep
 from repro.studies import radar
 from repro.tables.results import Results
 
 LINEAR = {"ekf": "KF (losses ignored)", "iekf": "IKF (losses known)"}
 RADAR = {"iekf": "IEKF (losses known)"}
-SHOWN = ("iekf", "bkf_1", "bkf_2", "rbpf")  # the filters of Figs. 3-5
 STYLES = ("-", "--", ":")
+WIDEST, NARROWER = 3.4, 0.8  # lines of equal tracks, drawn over each other, stay visible
 
 
 def rows_of(table: pd.DataFrame, metric: str, filter_: str) -> pd.DataFrame:
@@ -35,13 +35,15 @@ def error_over_p(results: Results) -> Figure:
     study, points = "linear_losses", swept(results.catalogue, "linear_losses")
     first = next(iter(points.values()))
     drawn, (axes, ratio) = style.figure(1, 2, size=(9.4, 4.0))
-    sweep(axes, results, study, points, "rmse_sum", "state", LINEAR)
+    sweep(axes, results, study, points, "rmse_sum", "state", LINEAR, PICTURED[study])
     table = results.table(study)
-    best = rows_of(table, "rmse_sum", "iekf").loc[list(points.values()), "value"]
-    for filter_ in proposed_filters(results.catalogue, study, first):
-        rmse = rows_of(table, "rmse_sum", filter_).loc[list(points.values()), "value"]
+    best = rows_of(table, "rmse_sum", "iekf")["value"]
+    for filter_, on in running(results, study, points, PROPOSED).items():
+        names = list(on.values())
+        rmse = rows_of(table, "rmse_sum", filter_).loc[names, "value"]
         look = style.look(results, filter_)
-        ratio.plot(list(points), rmse / best, ms=4, lw=1.3, label=style.label(filter_), **look)
+        label = style.label(filter_)
+        ratio.plot(list(on), rmse / best.loc[names], ms=4, lw=1.3, label=label, **look)
     ratio.axhline(1.0, color=style.look(results, "iekf")["color"], lw=1.3)
     trials = int(table.set_index("point").loc[first, "trials"].iloc[0])
     axes.set(
@@ -71,11 +73,12 @@ def particles_needed(results: Results, times: pd.DataFrame) -> Figure:
             clock.plot(taken["particles"], taken["microseconds"], ls=line, ms=4, label=name, **look)
         numbers, points = list(of_numbers), list(of_numbers.values())
         label = _sum_over_steps(results, points[0])
-        rows = rows_of(table, "rmse_sum", "rbpf").loc[points]
-        look = style.look(results, "rbpf")
-        error.errorbar(
-            numbers, rows["value"], BAND * rows["mcse"], ls=line, ms=4, label=f"p = {p}", **look
-        )
+        for filter_, on in running(results, "linear_losses", of_numbers, ["rbpf"]).items():
+            rows = rows_of(table, "rmse_sum", filter_).loc[list(on.values())]
+            look = style.look(results, filter_)
+            own = f"{style.label(filter_)}, " if filter_ in results.own_filters else ""
+            name, band = f"{own}p = {p}", BAND * rows["mcse"]
+            error.errorbar(list(on), rows["value"], band, ls=line, ms=4, label=name, **look)
         distinct = rows_of(table, "triples", "rbpf_fast").loc[points, "value"]
         look = style.look(results, "rbpf_fast")
         triples.plot(numbers, distinct, ls=line, ms=4, label=f"p = {p}", **look)
@@ -96,7 +99,7 @@ def _over_time(
     axes: Axes, results: Results, curves: pd.DataFrame, point: str, line: str, median: bool
 ) -> None:
     period = results.parameters("radar", point).sampling_time
-    for filter_ in SHOWN:
+    for filter_ in results.and_own("radar", point, PICTURED["radar"]):
         look: dict[str, Any] = style.look(results, filter_) | {"marker": ""}
         rows = curves[(curves["point"] == point) & (curves["filter"] == filter_)]
         rows = rows[rows["k"] > 0]
@@ -135,8 +138,10 @@ def error_over_time_together(results: Results, points: Sequence[str]) -> Figure:
     drawn, axes = style.figure(size=(7.4, 5.0))
     for point, line in zip(points, STYLES, strict=True):
         _over_time(axes, results, curves, point, line, median=False)
-    handles, labels = axes.get_legend_handles_labels()
-    first = axes.legend(handles[: len(SHOWN)], labels[: len(SHOWN)], fontsize=8, loc="lower right")
+    named = {}
+    for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+        named.setdefault(label, handle)  # as at the first point that it runs on
+    first = axes.legend(named.values(), named.keys(), fontsize=8, loc="lower right")
     axes.add_artist(first)
     lines = [axes.plot([], [], color="black", ls=line)[0] for line in STYLES]
     axes.legend(lines, [_at_p(results, p) for p in points], fontsize=8, loc="upper left")
@@ -159,7 +164,8 @@ def tracks(results: Results, point: str) -> Figure:
     plane.plot(truth[:, 0], truth[:, 3], color="black", lw=2.2, label="true", zorder=3)
     time = np.arange(1, len(truth)) * log.parameters.sampling_time
     ends = []
-    for filter_, width in zip(SHOWN, (3.4, 2.6, 1.8, 1.0), strict=True):  # equal ones stay visible
+    for i, filter_ in enumerate(results.and_own("radar", point, PICTURED["radar"])):
+        width = max(WIDEST - i * NARROWER, 0.8)
         runs = results.runs("radar", point, filter_)
         look = style.look(results, filter_)
         estimate = truth + runs.error[trial]

@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from repro.papers.unknown_losses.points import PICTURED
 from repro.plot import style
 from repro.studies import quadrotor
 from repro.tables.results import Results
@@ -14,7 +15,7 @@ from repro.tables.results import Results
 STUDY = "quadrotor"
 NAMES = {"ekf_no_loss": "EKF (no losses)", "iekf": "IEKF (losses known)", "rbpf_fast": "RBPF"}
 IGNORING = "#D55E00"
-# The filters of Figs. 8, 9. Most overlap: their dashes alternate on the line of the IEKF.
+# Most of Figs. 8, 9 overlap: their dashes alternate on the line of the IEKF.
 LINES = {
     "ekf_no_loss": {"lw": 1.4},
     "iekf": {"lw": 2.6},
@@ -22,6 +23,7 @@ LINES = {
     "bkf_2": {"lw": 1.5, "ls": (4, (4, 8))},
     "rbpf_fast": {"lw": 1.5, "ls": (8, (4, 8))},
 }
+OTHER_LINE = {"lw": 1.2, "ls": ":"}  # a reader's own filter
 
 
 def _name(filter_: str) -> str:
@@ -29,7 +31,7 @@ def _name(filter_: str) -> str:
 
 
 def _line(results: Results, filter_: str) -> dict[str, Any]:
-    return {"color": style.look(results, filter_)["color"]} | LINES[filter_]
+    return {"color": style.look(results, filter_)["color"]} | LINES.get(filter_, OTHER_LINE)
 
 
 def typical_flight(results: Results, point: str, filter_: str) -> int:
@@ -48,7 +50,7 @@ def in_space(results: Results, point: str) -> Figure:
     above = drawn.add_subplot(1, 2, 2)
     space.plot(*path[:, :3].T, color="black", lw=2, label="reference path")
     above.plot(*path[:, :2].T, color="black", lw=2)
-    for filter_ in LINES:
+    for filter_ in results.and_own(STUDY, point, PICTURED[STUDY]):
         flown = results.runs(STUDY, point, filter_).recorded["position"][flight]
         look = _line(results, filter_)
         space.plot(*flown.T, label=_name(filter_), **look)
@@ -73,7 +75,7 @@ def over_time(results: Results, point: str) -> Figure:
     path = quadrotor.reference(log.parameters)
     time = np.arange(len(path)) * log.parameters.period
     drawn, grid = style.figure(4, 1, size=(8.0, 8.6), sharex=True)
-    for filter_ in LINES:
+    for filter_ in results.and_own(STUDY, point, PICTURED[STUDY]):
         runs = results.runs(STUDY, point, filter_)
         look = _line(results, filter_)
         for axes, flown in zip(grid, runs.recorded["position"][flight].T, strict=False):
@@ -117,8 +119,12 @@ def ignoring_losses(results: Results, points: Sequence[str]) -> Figure:
             axes.plot(time[:last], values[:last], zorder=2 + thick, **look)
             if last < len(time):
                 axes.plot(time[last - 1], values[last - 1], "x", color="red", ms=5, zorder=4)
-        bound = np.median(results.runs(STUDY, point, "ekf_no_loss").recorded["distance"], axis=0)
-        axes.plot(time, bound, color=style.COLOURS[0], lw=1.4, label="EKF (no losses), median")
+        for filter_ in results.and_own(STUDY, point, ["ekf_no_loss"]):
+            flown = results.runs(STUDY, point, filter_).recorded["distance"]
+            own = filter_ in results.own_filters
+            colour = style.look(results, filter_)["color"] if own else style.COLOURS[0]
+            label = f"{_name(filter_)}, median"
+            axes.plot(time, np.median(flown, axis=0), color=colour, lw=1.4, label=label)
         axes.plot([], [], color=IGNORING, lw=1.6, label=f"losses ignored, flight {typical}")
         axes.plot([], [], color="0.7", lw=0.5, label=f"losses ignored, all {len(end)} flights")
         ended = quadrotor.ended(runs)

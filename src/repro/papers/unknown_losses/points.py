@@ -4,6 +4,13 @@ import re
 
 from repro.tables.results import Catalogue
 
+PROPOSED = ("bkf_1", "bkf_2", "rbpf")
+# The filters in the published figures of each study.
+PICTURED = {
+    "linear_losses": ("ekf", "iekf", *PROPOSED),  # Fig. 1
+    "radar": ("iekf", *PROPOSED),  # Figs. 3-5
+    "quadrotor": ("ekf_no_loss", "iekf", "bkf_1", "bkf_2", "rbpf_fast"),  # Figs. 8, 9
+}
 SWEEP = "loss="
 PARTICLES = re.compile(r"particles=(\d+)-loss=([\d.]+)")
 

@@ -293,11 +293,14 @@ class CensoredNetwork(Study):
             for i in range(len(TARGETS))
         ]
         yield from _with_average("rmse_root_of_mean", [metrics.root(of) for of in mean_squared])
-        effective = shards.each(lambda runs: effective_sample_size(runs)[:, 1:].mean(axis=1))
-        yield "effective_sample_size", "average", metrics.mean(effective)
+        if "effective_sample_size" in shards.first.recorded:
+            effective = shards.each(lambda runs: effective_sample_size(runs)[:, 1:].mean(axis=1))
+            yield "effective_sample_size", "average", metrics.mean(effective)
 
     def curves(self, shards: Shards) -> Rows:
         for i, component in enumerate(COMPONENTS[:-1]):
             squared = shards.each(lambda runs, i=i: squared_distance(runs)[:, :, i])
             yield "rmse", component, metrics.root_mean(squared)
-        yield "effective_sample_size", "average", metrics.mean(shards.each(effective_sample_size))
+        if "effective_sample_size" in shards.first.recorded:
+            effective = shards.each(effective_sample_size)
+            yield "effective_sample_size", "average", metrics.mean(effective)
