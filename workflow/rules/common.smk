@@ -17,7 +17,7 @@ os.environ.update(MALLOC_TRIM_THRESHOLD_="268435456", MALLOC_MMAP_THRESHOLD_="26
 from repro.atomic import check_writable
 from repro.errors import ReproError
 from repro.layout import Layout
-from repro.parameters.load import check_shards, load_paper, load_run, on_request
+from repro.parameters.load import check_shards, load_paper, load_run, on_request, user_values
 from repro.workflow.code import code_digest, constants
 from repro.workflow.lock import hold
 from repro.workflow.registry import Registry

@@ -154,6 +154,8 @@ rule user_log:
             "study": user_log("study"),
             "point": user_log("point"),
             "parameters": user_log_point().parameters.plain(),
+            "changes": or_exit(user_values, RUN.parameters),
+            "seed": RUN.root_seed,
             "settings": user_log_point().filters.get(wildcards.filter, {}),
         },
         code=lambda wildcards: code_digest(

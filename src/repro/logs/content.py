@@ -4,15 +4,15 @@ import io
 import json
 import struct
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import zstandard
 from mcap.data_stream import ReadDataStream
 from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Chunk, Footer, McapRecord, Metadata, Schema
-from mcap.stream_reader import get_chunk_data_stream
 
 from repro.logs.format import (
     CRC,
@@ -30,13 +30,21 @@ CHANNEL_ID = struct.Struct("<H")
 COUNTER_END = 2**32  # trial and step are uint32
 MESSAGE_HEAD = record_dtype(0).itemsize - payload_dtype(0).itemsize  # bytes before a payload
 LOG_TIME = RECORD_HEAD.size + 6  # its offset in a message record, after channel and sequence
+NAMED = 20  # topics of a log that a message names
+
+
+class MissingError(LogError):
+    """A topic or a field that the log does not have."""
 
 
 class Content:
     """The records of a log, its messages as runs of equal size."""
 
-    def __init__(self, path: str | Path):
+    def __init__(self, path: str | Path, largest: int | None = None):
+        """`largest` bounds the bytes of the file, and of its chunks when decompressed."""
         self.path = path
+        self._largest, self._decompressed = largest, 0
+        self._same_topic: dict[str, set[int]] = {}  # numbers of the channels of a topic
         self.schemas: dict[int, Schema] = {}
         self.channels: dict[str, Channel] = {}
         self.runs: dict[int, list[np.ndarray]] = {}  # raw records by channel, (messages, bytes)
@@ -44,17 +52,19 @@ class Content:
         self.parameters: dict = {}
         self._closed: set[Opcode] = set()
         try:
+            self._check_size(Path(path).stat().st_size)
             data = Path(path).read_bytes()
         except OSError as error:
             raise LogError(f"{path}: the log cannot be read: {error.strerror}") from None
         try:
             self._read(data)
+        except LogError:
+            raise
         # Changed bytes can raise anything in the parser; it always means the same.
         except Exception as error:
-            topics = ", ".join(self.channels) or "none"
             raise LogError(
                 f"{path}: the log is truncated or changed ({type(error).__name__}: {error}; "
-                f"topics up to there: {topics}): generate it again"
+                f"topics up to there: {self._topics()}): generate it again"
             ) from None
 
     def _read(self, data: bytes) -> None:
@@ -91,23 +101,55 @@ class Content:
     def _keep(self, record: McapRecord) -> None:
         match record:
             case Chunk():
-                stream, length = get_chunk_data_stream(record, validate_crc=True)
-                self._walk(stream.read(length), 0, length)
+                self._decompressed += max(record.uncompressed_size, len(record.data))
+                self._check_size(self._decompressed)
+                data = _decompressed(record)
+                self._walk(data, 0, len(data))
             case Schema():
-                self.schemas[record.id] = record
+                if self.schemas.setdefault(record.id, record) != record:
+                    raise ValueError(f"two schemas have the number {record.id}")
             case Channel():
+                if record.id in self._same_topic.get(record.topic, ()):
+                    return  # repeated, as in the summary
+                if any(record.id in numbers for numbers in self._same_topic.values()):
+                    raise ValueError(f"two topics have the channel {record.id}")
+                self._same_topic.setdefault(record.topic, set()).add(record.id)
                 self.channels[record.topic] = record
             case Metadata(name=name) if name == PROVENANCE:
                 self.provenance = record.metadata
             case Attachment(name=name) if name == PARAMETERS:
                 self.parameters = json.loads(record.data)
 
+    def _check_size(self, size: int) -> None:
+        if self._largest is not None and size > self._largest:
+            raise LogError(
+                f"{self.path}: too large: {size / 2**20:.0f} MB of records, at most "
+                f"{self._largest / 2**20:.0f} MB are read; record only the topics of the study"
+            )
+
+    def _topics(self) -> str:
+        """The topics of the log, or the first of them."""
+        names = sorted(self.channels)
+        more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+        return (", ".join(names[:NAMED]) or "none") + more
+
+    def has(self, topic: str) -> bool:
+        """Whether the topic has messages."""
+        return any(number in self.runs for number in self._same_topic.get(topic, ()))
+
     def channel(self, topic: str) -> tuple[Channel, Schema | None]:
-        """Channel and schema of a topic; LogError if it has no messages."""
-        channel = self.channels.get(topic)
-        if channel is None or channel.id not in self.runs:
-            known = ", ".join(self.channels) or "none"
-            raise LogError(f"{self.path}: topic {topic}: missing; topics of the log: {known}")
+        """Channel and schema of a topic; LogError if it has no messages, or several channels."""
+        if not self.has(topic):
+            raise MissingError(
+                f"{self.path}: topic {topic}: missing; topics of the log: {self._topics()}"
+            )
+        numbers = self._same_topic[topic]
+        if len(numbers) > 1:
+            raise LogError(
+                f"{self.path}: topic {topic}: it has {len(numbers)} channels; record it from one "
+                "publisher, or merge them"
+            )
+        channel = self.channels[topic]
         return channel, self.schemas.get(channel.schema_id)
 
     def records(self, where: str, channel: int) -> np.ndarray:
@@ -130,6 +172,8 @@ def json_object(where: str, payload: bytes) -> dict[str, Any]:
         row = json.loads(payload)
     except ValueError as error:
         raise LogError(f"{where}: a message is not JSON: {error}") from None
+    except RecursionError:
+        raise LogError(f"{where}: a message is nested too deeply") from None
     if not isinstance(row, dict):
         raise LogError(f"{where}: a message is not a JSON object")
     return row
@@ -138,6 +182,29 @@ def json_object(where: str, payload: bytes) -> dict[str, Any]:
 def _log_times(records: np.ndarray) -> np.ndarray:
     """Log times of message records given as bytes, in ns."""
     return np.ascontiguousarray(records[:, LOG_TIME : LOG_TIME + 8]).view("<u8")[:, 0]
+
+
+def _decompressed(chunk: Chunk) -> bytes:
+    """The records of a chunk, which must be of the size and CRC that it states.
+
+    Never more bytes than that, unlike mcap's own function: a small file may hold gigabytes.
+    """
+    size = chunk.uncompressed_size
+    if chunk.compression == "zstd":
+        if zstandard.frame_content_size(chunk.data) not in (-1, size):
+            raise ValueError("a chunk of another size than it states")
+        data = zstandard.decompress(chunk.data, max_output_size=size) if size else b""
+    elif chunk.compression == "lz4":
+        from lz4.frame import LZ4FrameDecompressor  # of foreign logs only
+
+        data = LZ4FrameDecompressor().decompress(chunk.data, max_length=size + 1)
+    else:
+        data = chunk.data
+    if len(data) != size:
+        raise ValueError("a chunk of another size than it states")
+    if chunk.uncompressed_crc not in (0, zlib.crc32(data)):
+        raise ValueError("CRC of a chunk")
+    return data
 
 
 _READ = {  # the records that are read; the indexes are for players
@@ -183,8 +250,13 @@ def read_topics(
     content: Content,
     fields: Mapping[str, tuple[str, ...]],
     read: Callable[[Content, str, tuple[str, ...]], Topic],
+    once: Collection[str] = (),
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Trials, and the values of each topic by `read`; LogError unless all have the same trials."""
+    """Trials, and the values of each topic by `read`.
+
+    Raises LogError unless all have the same trials, and as many messages a trial; those of `once`
+    have one.
+    """
     topics = {topic: read(content, topic, names) for topic, names in fields.items()}
     if not topics:
         raise LogError(f"{content.path}: the log has no topic")
@@ -192,6 +264,18 @@ def read_topics(
     for topic, (of_topic, _) in topics.items():
         if not np.array_equal(of_topic, trials):
             raise LogError(f"{content.path}: topic {topic}: other trials than the topics before it")
+    lengths = {topic: values.shape[1] for topic, (_, values) in topics.items()}
+    longest = max(lengths, key=lambda topic: lengths[topic])
+    for topic, length in lengths.items():
+        if topic in once and length > 1:
+            raise LogError(
+                f"{content.path}: topic {topic}: a trial has {length} messages; it must have one"
+            )
+        if topic not in once and length < lengths[longest]:
+            raise LogError(
+                f"{content.path}: topic {topic}: a trial has {length} messages, but "
+                f"{lengths[longest]} on {longest}"
+            )
     return trials, {topic: values for topic, (_, values) in topics.items()}
 
 

@@ -36,6 +36,9 @@ def read_log(
     provenance = content.provenance
     if provenance is None:
         raise LogError(f"{path}: metadata '{PROVENANCE}' is missing: not a log of this project")
+    for key in ("study", "point"):
+        if key not in provenance:
+            raise LogError(f"{path}: metadata '{PROVENANCE}': its '{key}' is missing")
     if study is not None and provenance["study"] != study:
         raise LogError(
             f"{path}: metadata '{PROVENANCE}': the log is of study "
@@ -47,16 +50,25 @@ def read_log(
             f"'{provenance['point']}', expected is '{point}'"
         )
     topics = fields if fields is not None else _own_fields(content)
-    trials, values = read_topics(content, topics, _topic)
+    once = plugins.study(provenance["study"]).constant_topics
+    trials, values = read_topics(content, topics, _topic, once)
     return Log(
         study=provenance["study"],
         point=provenance["point"],
-        seed=int(provenance["root_seed"]),
+        seed=root_seed(content),
         parameters=_parameters(content, provenance["study"]),
         trials=trials,
         fields=dict(topics),
         values=values,
     )
+
+
+def root_seed(content: Content) -> int:
+    """The root seed that a log of this project was simulated with."""
+    text = (content.provenance or {}).get("root_seed", "")
+    if not text.isascii() or not text.isdigit() or len(text) > 100:
+        raise LogError(f"{content.path}: metadata '{PROVENANCE}': its root_seed is not an integer")
+    return int(text)
 
 
 def _parameters(content: Content, study: str) -> PointParameters:
@@ -69,8 +81,12 @@ def _parameters(content: Content, study: str) -> PointParameters:
 def _own_fields(content: Content) -> dict[str, tuple[str, ...]]:
     """Topics and fields as the log's own schemas give them."""
     fields = {}
-    for topic, channel in content.channels.items():
-        lines = content.schemas[channel.schema_id].data.decode().split("\n")
+    for topic in content.channels:
+        _, schema = content.channel(topic)
+        try:
+            lines = schema.data.decode().split("\n") if schema else []
+        except UnicodeDecodeError:
+            raise LogError(f"{content.path}: topic {topic}: its schema is not UTF-8") from None
         fields[topic] = tuple(line.split()[1] for line in lines if line.startswith("float64 "))
     return fields
 

@@ -13,6 +13,11 @@ def flags_per_step(bound: int, lossy: bool) -> int:
     return bound + 1 if lossy or bound == 0 else bound
 
 
+def least_delay(bound: int, lossy: bool) -> int:
+    """The least value of a delay: LOST where packets can be lost."""
+    return 0 if flags_per_step(bound, lossy) == bound else LOST
+
+
 def arrival_flags(uniforms: np.ndarray, arrival_probability: float) -> np.ndarray:
     """Flags gamma_i(k), 1 with the arrival probability, from one uniform each; any shape."""
     return (uniforms < arrival_probability).astype(float)

@@ -84,6 +84,13 @@ class Run(Values):
     log: Annotated[str, Field(description="MCAP file recorded elsewhere")] | None = None
     study: Annotated[str, Field(description="study that the log is of")] | None = None
     point: Annotated[str, Field(description="point that the log is of")] | None = None
+    parameters: (
+        Annotated[
+            str | dict[str, Any],
+            Field(description="values of the log's own, or a YAML file of them"),
+        ]
+        | None
+    ) = None
     filter: Annotated[str, Field(description="filter that the leaderboard is asked for")] | None = (
         None
     )
@@ -133,6 +140,13 @@ def load_run(path: str | Path, overrides: dict[str, Any]) -> Run:
     where = f"{path} with --config"
     check_plain(overrides, where)
     return Run.checked(values | overrides, where)
+
+
+def user_values(given: str | dict[str, Any] | None) -> tuple[dict[str, Any], str]:
+    """Values that replace a point's, given on the spot or as a YAML file, and where they are."""
+    if isinstance(given, str):
+        return read_yaml(given), given
+    return given or {}, "--config: parameters"
 
 
 def check_shards(studies: dict[str, dict[str, Point]], shards: int) -> None:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from repro.errors import ReproError
 
-PROGRESS_EVERY = 10.0  # s between two lines about a filter that takes longer
+PROGRESS_EVERY = 20.0  # s between two lines about a filter that takes longer
 RUNNER = Path(__file__).parent
 
 

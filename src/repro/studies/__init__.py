@@ -19,6 +19,7 @@ from repro.statistics.shards import Shards
 from repro.streams import Streams
 
 Fields = dict[str, tuple[str, ...]]  # topic -> names of its fields
+Integers = dict[str, dict[str, tuple[int, int]]]  # topic -> field -> least and greatest value
 StreamsOf = Callable[[str], Streams]  # role -> its streams
 Rows = Iterator[tuple[str, str, Statistic]]  # metric, component, statistic over the trials
 
@@ -31,6 +32,8 @@ class Study(ABC):
     systems_per_block: ClassVar[int] = 250  # trials times particles that run side by side
     trajectory: ClassVar[tuple[tuple[str, str], ...]] = ()  # fields of /truth: y over x
     error_unit: ClassVar[str] = ""  # of the root of squared_error
+    constant_topics: ClassVar[tuple[str, ...]] = ()  # of one message a trial
+    log_remark: ClassVar[str] = ""  # what a log recorded elsewhere must have, if unexpected
     keeps_claimed_variance: ClassVar[bool] = True  # the variances that the filters claim
     keeps_inferred_arrivals: ClassVar[bool] = False  # what the filters infer of the arrivals
 
@@ -49,6 +52,17 @@ class Study(ABC):
     @abstractmethod
     def channels(self, log: Log, trials: slice) -> Channels:
         """What a filter may see of a slice of the log's trials."""
+
+    def channel_topics(self, parameters: Any) -> dict[str, Fields] | None:
+        """Topics and fields that each channel is made of, so that a log may lack the others.
+
+        None: any channel may be made of all of them but /truth.
+        """
+        return None
+
+    def integers(self, parameters: Any) -> Integers:
+        """The fields that are whole numbers, for the check of a log recorded elsewhere."""
+        return {}
 
     def rows(self, shards: Shards, analysis: Any) -> Rows:
         """The numbers of the study's table."""

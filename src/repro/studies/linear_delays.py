@@ -21,7 +21,7 @@ from repro.parameters.values import (
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
-from repro.studies import Rows, StreamsOf, Study
+from repro.studies import Fields, Integers, Rows, StreamsOf, Study
 
 COMPONENTS = ("x1", "x2")
 
@@ -110,6 +110,18 @@ class LinearDelays(Study):
             initial_second_moment=np.array(parameters.initial_second_moment),
             network=DelayNetwork(parameters.arrival_probability, parameters.packet_bound),
         )
+
+    def channel_topics(self, parameters: Parameters) -> dict[str, Fields]:
+        return {
+            "received": {"/received": ("y",)},
+            "uncertain": {"/received": ("uncertain",)},
+            "arrival": {"/network": ("delay",)},
+            "delay": {"/network": ("delay",)},
+        }
+
+    def integers(self, parameters: Parameters) -> Integers:
+        bound = parameters.packet_bound
+        return {"/network": {"delay": (packet_delays.least_delay(bound, lossy=False), bound)}}
 
     def channels(self, log: Log, trials: slice) -> Recorded:
         delay = log.field("/network", "delay")[trials]

@@ -21,7 +21,7 @@ from repro.parameters.values import (
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
-from repro.studies import Fields, Rows, StreamsOf, Study
+from repro.studies import Fields, Integers, Rows, StreamsOf, Study
 
 COMPONENTS = ("x1", "x2")
 
@@ -142,6 +142,15 @@ class LinearLosses(Study):
             initial_covariance=np.array(parameters.initial_covariance),
             network=losses.losses(parameters),
         )
+
+    def channel_topics(self, parameters: Parameters) -> dict[str, Fields]:
+        return {
+            "received": {"/received": ("y",)},
+            "arrival": {"/network": ("gamma",)},
+        }
+
+    def integers(self, parameters: Parameters) -> Integers:
+        return {"/network": {"gamma": (0, 1)}}
 
     def channels(self, log: Log, trials: slice) -> Recorded:
         return Recorded(

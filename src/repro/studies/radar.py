@@ -22,7 +22,7 @@ from repro.parameters.values import (
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
-from repro.studies import Fields, Rows, StreamsOf, Study
+from repro.studies import Fields, Integers, Rows, StreamsOf, Study
 
 
 class Parameters(PointParameters):
@@ -170,6 +170,15 @@ class Radar(Study):
             network=losses.losses(parameters),
             innovation=system.wrapped_innovation if wrapped else np.subtract,
         )
+
+    def channel_topics(self, parameters: Parameters) -> dict[str, Fields]:
+        return {
+            "received": {"/received": ("range", "bearing")},
+            "arrival": {"/network": ("gamma",)},
+        }
+
+    def integers(self, parameters: Parameters) -> Integers:
+        return {"/network": {"gamma": (0, 1)}}
 
     def channels(self, log: Log, trials: slice) -> Recorded:
         return Recorded(

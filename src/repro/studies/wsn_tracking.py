@@ -5,6 +5,7 @@ from typing import Annotated, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
+from repro.errors import ReproError
 from repro.logs import Log
 from repro.models import DelayNetwork, Model, coordinated_turn
 from repro.network import packet_delays
@@ -22,7 +23,7 @@ from repro.parameters.values import (
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
-from repro.studies import Rows, StreamsOf, Study
+from repro.studies import Fields, Integers, Rows, StreamsOf, Study
 
 STATE = ("px", "py", "vx", "vy", "omega")
 
@@ -142,6 +143,20 @@ def position_error(runs: Runs) -> np.ndarray:
     return np.hypot(runs.error[:, :, 0], runs.error[:, :, 1])
 
 
+def _check_origins(log: Log, trials: slice) -> None:
+    """Raise ReproError for a packet that is from a later step, or older than the bound."""
+    origin, bound = log.field("/received", "origin")[trials], log.parameters.packet_bound
+    late = np.arange(origin.shape[1]) - origin
+    wrong = (origin >= 0) & ((late < 0) | (late > bound))
+    if wrong.any():
+        trial, step = np.argwhere(wrong)[0]
+        raise ReproError(
+            f"{log.study}: topic /received: the field 'origin' of trial "
+            f"{log.trials[trials][trial]}, step {step} is {origin[trial, step]:g}; a packet is "
+            f"at most {bound} steps late"
+        )
+
+
 class WsnTracking(Study):
     """A target on a circle; in each step the sensor nearest to the predicted position measures.
 
@@ -152,6 +167,11 @@ class WsnTracking(Study):
     Analysis = Analysis
     trajectory = (("px", "py"),)
     error_unit = "m"
+    constant_topics = ("/field",)
+    log_remark = (
+        "a filter's own prediction chooses the sensor, so the log must have the range to every "
+        "sensor at every step, and for each step the one whose packet arrives"
+    )
 
     def topics(self, parameters: Parameters) -> dict[str, tuple[str, ...]]:
         sensors = range(1, parameters.sensors + 1)
@@ -209,9 +229,36 @@ class WsnTracking(Study):
             network=DelayNetwork(parameters.arrival_probability, parameters.packet_bound),
         )
 
+    def channel_topics(self, parameters: Parameters) -> dict[str, Fields]:
+        # The sensor of each step, which every filter may know, comes out of the same loop.
+        topics = self.topics(parameters)
+        loop = {
+            "/field": topics["/field"],
+            "/sensor": topics["/sensor"][1:],
+            "/received": topics["/received"],
+        }
+        if parameters.scheduled_on == "true position":
+            loop["/truth"] = STATE[:2]
+        told = loop | {"/network": ("delay",)}
+        return {
+            "received": loop,
+            "sensor": loop,
+            "earlier_sensors": loop,
+            "arrival": told,
+            "delay": told,
+        }
+
+    def integers(self, parameters: Parameters) -> Integers:
+        bound = parameters.packet_bound
+        return {
+            "/received": {"origin": (-max(bound, 1), parameters.steps)},
+            "/network": {"delay": (packet_delays.least_delay(bound, _lossy(parameters)), bound)},
+        }
+
     def channels(self, log: Log, trials: slice) -> ScheduledRanges:
         parameters = log.parameters
         delay = log.field("/network", "delay")[trials]
+        _check_origins(log, trials)
         on_truth = parameters.scheduled_on == "true position"
         return ScheduledRanges(
             positions=positions(log)[trials],

@@ -13,7 +13,7 @@ from pydantic import Field, model_validator
 from repro.logs import Log
 from repro.models.coupled_targets import CoupledTargets, SignalStrength, drift, pull
 from repro.models.mixture_noise import MixtureNoise
-from repro.network.censoring import Censoring, censored
+from repro.network.censoring import EXACT, INSIDE, Censoring, censored
 from repro.network.channels import Recorded
 from repro.network.random_access import transmitted, transmitting_group
 from repro.parameters.values import (
@@ -29,7 +29,7 @@ from repro.parameters.values import (
 from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
-from repro.studies import Fields, Rows, StreamsOf, Study
+from repro.studies import Fields, Integers, Rows, StreamsOf, Study
 
 TARGETS = ("1", "2", "3")
 COMPONENTS = (*(f"target_{i}" for i in TARGETS), "average")
@@ -252,6 +252,23 @@ class CensoredNetwork(Study):
                 [values.reshape(flat), value_codes.reshape(flat).astype(float)], axis=-1
             ),
             "/network": np.concatenate([group + 1.0, coupled.astype(float)], axis=-1),
+        }
+
+    def channel_topics(self, parameters: Parameters) -> dict[str, Fields]:
+        values, codes = np.split(np.array(self.topics(parameters)["/received"]), 2)
+        groups = [f"group_{i}" for i in TARGETS] if parameters.group_known else []
+        return {
+            "received": {"/received": tuple(values.tolist())},
+            "code": {"/received": tuple(codes.tolist())},
+            "group_probability": {"/network": tuple(groups)} if groups else {},
+        }
+
+    def integers(self, parameters: Parameters) -> Integers:
+        codes = self.channel_topics(parameters)["code"]["/received"]
+        groups = len(parameters.sensor_groups)
+        return {
+            "/received": dict.fromkeys(codes, (EXACT, INSIDE)),
+            "/network": {f"group_{i}": (1, groups) for i in TARGETS},
         }
 
     def channels(self, log: Log, trials: slice) -> Recorded:

@@ -70,6 +70,13 @@ class HarvestingStudy(Study):
 
     components: ClassVar[Mapping[str, Sequence[int]]]  # name -> state components of one error
 
+    def channel_topics(self, parameters: Any) -> dict[str, Fields]:
+        topics = self.topics(parameters)
+        return {
+            "received": {"/received": topics["/received"]},
+            "ideal": {"/ideal": topics["/ideal"]},
+        }
+
     def channels(self, log: Log, trials: slice) -> Recorded:
         return Recorded(
             received=log.values["/received"][trials],
