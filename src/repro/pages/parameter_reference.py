@@ -48,8 +48,14 @@ def _section(title: str, model: type[Values]) -> Iterator[str]:
         yield f"## {title}\n\n| name | type and bounds | meaning |\n|---|---|---|"
         for name, field in model.model_fields.items():
             meaning = _description(field.annotation, field) or ""
-            yield f"| `{name}` | {_kind(field.annotation, field.metadata)} | {meaning} |"
+            kind = _kind(field.annotation, field.metadata) + _default(field)
+            yield f"| `{name}` | {kind} | {meaning} |"
         yield ""
+
+
+def _default(field: FieldInfo) -> str:
+    value = None if field.is_required() else field.get_default(call_default_factory=True)
+    return "" if value is None else f"; default `{value}`"
 
 
 def _description(annotation: Any, field: FieldInfo | None = None) -> str | None:
@@ -75,12 +81,18 @@ def _kind(annotation: Any, metadata: list[Any]) -> str:
             kinds = [_kind(argument, []) for argument in arguments if argument is not NoneType]
             optional = [", optional"] if NoneType in arguments else []
             return " or ".join(kinds) + "".join(optional)
-        case origin if origin is tuple and arguments[-1] is Ellipsis:
+        case origin if origin is dict:
+            return _bounded(f"mapping to ({_kind(arguments[1], [])})", metadata)
+        case origin if origin is list or arguments[-1:] == (Ellipsis,):
             return _bounded(f"list of ({_kind(arguments[0], [])})", metadata)
         case origin if origin is tuple:
             kinds = list(dict.fromkeys(_kind(argument, []) for argument in arguments))
             return _bounded(f"{len(arguments)} × ({', '.join(kinds)})", metadata)
-    return _bounded(SCALARS[annotation], metadata)
+    if isinstance(annotation, type) and issubclass(annotation, Values):
+        fields = annotation.model_fields.items()
+        kinds = (f"`{name}` ({_kind(f.annotation, f.metadata)})" for name, f in fields)
+        return f"mapping of {', '.join(kinds)}"
+    return _bounded(SCALARS.get(annotation, "any"), metadata)
 
 
 def _flat(metadata: tuple[Any, ...]) -> list[Any]:
