@@ -39,6 +39,7 @@ rule all:
     default_target: True
     input:
         LAYOUT.page("manifest.json"),
+        LAYOUT.page("leaderboard.md"),
 
 
 onsuccess:

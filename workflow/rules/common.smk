@@ -151,6 +151,15 @@ def figure_files():
     ]
 
 
+def study_figure_files():
+    """Pictures that every study has."""
+    return [
+        f"{FIGURES}/studies/{study}/{kind}.png"
+        for study in STUDIES
+        for kind in ("over_k", "over_sweep", "distribution")
+    ]
+
+
 def figure_inputs(wildcards):
     """The files that a figure's script says that it reads."""
     needed = needs(wildcards.paper, wildcards.figure)

@@ -60,9 +60,10 @@ rule manifest:
             rules.parameters.output,
             rules.assumptions.output,
             [LAYOUT.curves(study) for study in STUDIES],
+            [LAYOUT.ranking(study) for study in STUDIES],
         ],
         logs=[file for study in STUDIES for file in REGISTRY.log_files(study)],
-        figures=[*figure_files(), rules.gallery.output],
+        figures=[*figure_files(), *study_figure_files(), rules.gallery.output],
     output:
         LAYOUT.page("manifest.json"),
     log:

@@ -56,7 +56,7 @@ if RUN.filter is None:
                 for study, points in STUDIES.items()
             },
             shards=RUN.shards,
-            root=str(LAYOUT.root),
+            root=lambda wildcards: str(LAYOUT.root),
             code=code("repro.pages.leaderboard", "repro.workflow.timings"),
         script:
             "../scripts/leaderboard.py"

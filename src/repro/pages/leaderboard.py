@@ -9,6 +9,7 @@ from tabulate import tabulate
 from repro import plugins
 from repro.atomic import atomic_write
 from repro.tables.csv_file import write_csv
+from repro.tables.ranking import geometric_mean
 
 TITLE = "Leaderboard"
 LEGEND = """\
@@ -50,12 +51,6 @@ def summarised(table: pd.DataFrame) -> pd.DataFrame:
     order = summary.groupby(["study", "family"], sort=False).ngroup()
     summary = summary.assign(order=order).sort_values(["order", "error"], kind="stable")
     return summary.drop(columns="order").reset_index(drop=True)
-
-
-def geometric_mean(values: pd.Series) -> float:
-    """Of the values that are known; 0 if one of them is 0."""
-    with np.errstate(divide="ignore"):
-        return float(np.exp(np.log(values).mean()))
 
 
 def with_cpu(summary: pd.DataFrame, times: pd.DataFrame) -> pd.DataFrame:

@@ -5,8 +5,8 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from repro.pages.leaderboard import geometric_mean
 from repro.plot import style
+from repro.tables.ranking import geometric_mean
 from repro.tables.results import Results
 
 SMALLEST, LARGEST = 0.25, 40.0  # relative errors drawn; what is farther is drawn at the edge
