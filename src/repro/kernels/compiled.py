@@ -36,9 +36,18 @@ def kernel(function: Callable) -> Any:
     IEEE arithmetic as written: nothing is reordered or contracted, a division by zero is infinite
     or NaN. Raises TypeError for a closure, which would be compiled anew in every process.
     """
+    return _compiled(function)
+
+
+def scalar(function: Callable) -> Any:
+    """A kernel of scalars, written into every loop that calls it: only so the loop is vectorised."""
+    return _compiled(function, forceinline=True)
+
+
+def _compiled(function: Callable, **options: bool) -> Any:
     if function.__closure__:
         raise TypeError(f"kernel {function.__qualname__} is a closure; pass what it needs as data")
-    compiled = numba.njit(error_model="numpy", fastmath=False)(function)
+    compiled = numba.njit(error_model="numpy", fastmath=False, **options)(function)
     if hasattr(compiled, "_cache"):  # not so under NUMBA_DISABLE_JIT
         compiled._cache = KernelCache(function)
     return compiled

@@ -13,7 +13,7 @@ chain of sums waits for each of them. These are scalar functions, for kernels;
 
 import numpy as np
 
-from repro.kernels.compiled import kernel
+from repro.kernels.compiled import scalar
 
 LN2, LN2_HIGH, LN2_LOW = 0.6931471805599453, 6.93147180369123816490e-01, 1.90821492927058770002e-10
 LOG2_E, LOG10_E = 1.4426950408889634, 0.4342944819032518
@@ -35,25 +35,25 @@ SIGN = -0x8000000000000000
 UPPER_26, UPPER_21 = -0x8000000, -0x100000000  # all but the lowest 27 or 32 bits
 
 
-@kernel
+@scalar
 def bits_of(x):
     """The bits of a float64, as an int64."""
     return np.float64(x).view(np.int64)
 
 
-@kernel
+@scalar
 def with_bits(bits):
     """The float64 of these bits."""
     return np.int64(bits).view(np.float64)
 
 
-@kernel
+@scalar
 def with_sign(x, of):
     """|x| with the sign of the other number, also of a zero."""
     return with_bits((bits_of(x) & ~SIGN) | (bits_of(of) & SIGN))
 
 
-@kernel
+@scalar
 def _exp_rest(r):
     """e^r - 1 - r for |r| <= log(2) / 2."""
     r2 = r * r
@@ -68,7 +68,7 @@ def _exp_rest(r):
     return r2 * (first + r4 * (second + r4 * third))
 
 
-@kernel
+@scalar
 def exp(x):
     """e^x; zero where it would be subnormal."""
     shifted = x * LOG2_E + SHIFT
@@ -80,7 +80,7 @@ def exp(x):
     return np.inf if x > EXP_OVERFLOWS else y
 
 
-@kernel
+@scalar
 def expm1(x):
     """e^x - 1, to its last digits where x is small."""
     shifted = x * LOG2_E + SHIFT
@@ -94,7 +94,7 @@ def expm1(x):
     return np.inf if x > EXP_OVERFLOWS else y
 
 
-@kernel
+@scalar
 def _parts(x):
     """k and f with x = 2^k (1 + f), 1 + f between sqrt(1/2) and sqrt(2); x positive and normal."""
     bits = bits_of(x) + (ONE - ROOT_HALF)
@@ -102,7 +102,7 @@ def _parts(x):
     return k, with_bits((bits & MANTISSA) + ROOT_HALF) - 1.0
 
 
-@kernel
+@scalar
 def _log_rest(f):
     """f - log(1 + f)."""
     s = f / (2.0 + f)
@@ -116,7 +116,7 @@ def _log_rest(f):
     return half_square, s * (half_square + z * rest)
 
 
-@kernel
+@scalar
 def _log_domain(x, y):
     """y, a logarithm of x, but what it is for an x that is not positive, normal and finite."""
     y = y if x < np.inf else x
@@ -124,16 +124,21 @@ def _log_domain(x, y):
     return np.nan if x < 0.0 else y
 
 
-@kernel
-def log(x):
-    """Natural logarithm; -inf for zero and subnormal numbers, NaN below."""
+@scalar
+def log_of_normal(x):
+    """Natural logarithm of a number known to be positive, normal and finite."""
     k, f = _parts(x)
     half_square, rest = _log_rest(f)
-    y = k * LN2_HIGH - ((half_square - (rest + k * LN2_LOW)) - f)
-    return _log_domain(x, y)
+    return k * LN2_HIGH - ((half_square - (rest + k * LN2_LOW)) - f)
 
 
-@kernel
+@scalar
+def log(x):
+    """Natural logarithm; -inf for zero and subnormal numbers, NaN below."""
+    return _log_domain(x, log_of_normal(x))
+
+
+@scalar
 def log10(x):
     """Decimal logarithm; -inf for zero and subnormal numbers, NaN below."""
     k, f = _parts(x)
@@ -151,7 +156,7 @@ def log10(x):
     return _log_domain(x, total + lowest)
 
 
-@kernel
+@scalar
 def log1p(x):
     """log(1 + x), to its last digits where x is small."""
     u = 1.0 + x
@@ -164,7 +169,7 @@ def log1p(x):
     return _log_domain(u, y)
 
 
-@kernel
+@scalar
 def logaddexp(x, y):
     """log(e^x + e^y), to an ulp or two of the larger of x, y and the result."""
     largest = x if x > y else y
@@ -173,7 +178,7 @@ def logaddexp(x, y):
     return largest + log1p(exp(gap))
 
 
-@kernel
+@scalar
 def _sine_cosine(r, quadrant):
     """Sine and cosine of r + quadrant pi / 2, |r| <= pi / 4; quadrant an int64."""
     z = r * r
@@ -196,7 +201,7 @@ def _sine_cosine(r, quadrant):
     return with_bits(bits_of(first) ^ sign), with_bits(bits_of(second) ^ next_sign)
 
 
-@kernel
+@scalar
 def sine_cosine(x):
     """Sine and cosine of an angle in radians, of at most a million."""
     shifted = x * (1.0 / HALF_PI) + SHIFT
@@ -210,26 +215,26 @@ def sine_cosine(x):
     return (sine if inside else np.nan), (cosine if inside else np.nan)
 
 
-@kernel
+@scalar
 def sine_cosine_of_turns(u):
     """Sine and cosine of 2 pi u."""
     shifted = u * 4.0 + SHIFT
     return _sine_cosine((u * 4.0 - (shifted - SHIFT)) * HALF_PI, bits_of(shifted))
 
 
-@kernel
+@scalar
 def sin(x):
     """Sine of an angle in radians, of at most a million."""
     return sine_cosine(x)[0]
 
 
-@kernel
+@scalar
 def cos(x):
     """Cosine of an angle in radians, of at most a million."""
     return sine_cosine(x)[1]
 
 
-@kernel
+@scalar
 def arctan2(y, x):
     """The angle of (x, y) in (-pi, pi], as atan2 of the C library also for zeros and infinities."""
     a, b = abs(x), abs(y)
@@ -272,13 +277,13 @@ def arctan2(y, x):
     return with_sign(angle, y)
 
 
-@kernel
+@scalar
 def hypot(x, y):
     """sqrt(x^2 + y^2), for sides whose squares neither overflow nor underflow."""
     return np.sqrt(x * x + y * y)
 
 
-@kernel
+@scalar
 def _tail(a):
     """e^(a^2 / 2) times the normal probability beyond a >= 0."""
     # (1 + a) times it is smooth in t, after Shepherd and Laframboise (1981).
@@ -312,24 +317,43 @@ def _tail(a):
     return q - q * (((1.0 - whole) + a) / whole if a < 1.0 else ((a - whole) + 1.0) / whole)
 
 
-@kernel
+@scalar
+def _central_cdf(x):
+    """Standard normal probability below x, |x| < 1."""
+    z = x * x
+    z2 = z * z
+    slope = (0.39894228040143265 + z * -0.06649038006690386) + z2 * (
+        0.009973557009983383 + z * -0.0011873282148079404
+    )
+    slope += (z2 * z2) * (
+        (0.00011543468323083616 + z * -9.444639808676774e-06)
+        + z2 * (6.659316904081042e-07 + z * -4.117308931965184e-08)
+        + (z2 * z2) * (2.2270765391721188e-09 + z * -9.026109904565583e-11)
+    )
+    return 0.5 + x * slope
+
+
+@scalar
 def normal_cdf(x):
     """Standard normal probability below x; zero where it would be subnormal."""
     a = abs(x)
-    a = 40.0 if a > 40.0 else a
+    a = 40.0 if a > 40.0 else a  # beyond, the result is zero
     # a^2 / 2 in two parts, the first exact, for the exponential magnifies its error by a^2
     high = with_bits(bits_of(a) & UPPER_26)
     rest = -0.5 * (a + high) * (a - high)
     density = exp(-0.5 * high * high)
     density += density * (rest + rest * rest * (0.5 + rest * (1.0 / 6.0)))
     beyond = density * _tail(a)
-    return 1.0 - beyond if x > 0.0 else beyond
+    outside = 1.0 - beyond if x > 0.0 else beyond
+    return _central_cdf(x) if a < 1.0 else outside
 
 
-@kernel
+@scalar
 def log_normal_cdf(x):
     """Logarithm of the standard normal probability below x."""
     a = abs(x)
     if x > 0.0:
         return log1p(-normal_cdf(-a))
-    return log(_tail(a)) - 0.5 * a * a
+    if x > -1.0:
+        return log(normal_cdf(x))
+    return log(_tail(min(a, 1e300))) - 0.5 * a * a
