@@ -40,7 +40,7 @@ def kernel(function: Callable) -> Any:
 
 
 def scalar(function: Callable) -> Any:
-    """A kernel of scalars, written into every loop that calls it: only so the loop is vectorised."""
+    """A kernel of scalars, put into each loop that calls it, for only so can it be vectorised."""
     return _compiled(function, forceinline=True)
 
 

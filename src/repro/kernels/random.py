@@ -23,24 +23,24 @@ FIRST_INCREMENT, SECOND_INCREMENT = np.uint64(0x9E3779B9), np.uint64(0xBB67AE85)
 @scalar
 def _round(c0, c1, c2, c3, k0, k1):
     first, second = FIRST_FACTOR * (c0 & LOW), SECOND_FACTOR * (c2 & LOW)
-    return (second >> HALF) ^ c1 ^ k0, second, (first >> HALF) ^ c3 ^ k1, first
-
-
-@scalar
-def _two_rounds(c0, c1, c2, c3, k0, k1, done):
-    k0, k1 = k0 + np.uint64(done) * FIRST_INCREMENT, k1 + np.uint64(done) * SECOND_INCREMENT
-    c0, c1, c2, c3 = _round(c0, c1, c2, c3, k0, k1)
-    return _round(c0, c1, c2, c3, k0 + FIRST_INCREMENT, k1 + SECOND_INCREMENT)
+    c0, c1, c2, c3 = (second >> HALF) ^ c1 ^ k0, second, (first >> HALF) ^ c3 ^ k1, first
+    return c0, c1, c2, c3, k0 + FIRST_INCREMENT, k1 + SECOND_INCREMENT
 
 
 @scalar
 def philox(c0, c1, c2, c3, k0, k1):
     """Four random words of 32 bits from a counter of four and a key of two, all uint64."""
-    c0, c1, c2, c3 = _two_rounds(c0, c1, c2, c3, k0, k1, 0)  # written out, to be vectorised
-    c0, c1, c2, c3 = _two_rounds(c0, c1, c2, c3, k0, k1, 2)
-    c0, c1, c2, c3 = _two_rounds(c0, c1, c2, c3, k0, k1, 4)
-    c0, c1, c2, c3 = _two_rounds(c0, c1, c2, c3, k0, k1, 6)
-    c0, c1, c2, c3 = _two_rounds(c0, c1, c2, c3, k0, k1, 8)
+    # Ten rounds, written out: a loop here would keep the caller's from being vectorised.
+    c0, c1, c2, c3, k0, k1 = _round(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _round(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _round(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _round(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _round(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _round(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _round(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _round(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _round(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _round(c0, c1, c2, c3, k0, k1)
     return c0 & LOW, c1 & LOW, c2 & LOW, c3 & LOW
 
 
