@@ -28,6 +28,7 @@ class SensorNetwork(NamedTuple):
     noise: Any  # GaussianNoise or ExponentialNoise
     saturation: Saturation | None = None
     energy: Any = None  # network.energy_harvesting.EnergyQueue
+    plant: Any = None  # ungm.Growth or rss.SignalStrength: `move` and `level` as data, for kernels
 
 
 class GaussianNoise(NamedTuple):

@@ -7,7 +7,7 @@ what they take for the transmission probability.
 import numpy as np
 
 from repro.filters import Filter
-from repro.filters.families import particle_filter
+from repro.filters.families import compiled_bootstrap, particle_filter
 from repro.models.sensor_network import SensorNetwork
 from repro.network.energy_harvesting import transmission_probability
 from repro.parameters.settings import Bootstrap
@@ -34,10 +34,12 @@ def build(
     else:
         probability = transmission_probability(model.energy, model.steps, transmission)
 
+    saturation = model.saturation if saturates else None
+    if model.plant is not None:
+        return compiled_bootstrap.build(model, settings, probability, saturation, channel)
+
     def move(particles, cloud, k):
         return model.move(particles, k, cloud.streams)
-
-    saturation = model.saturation if saturates else None
 
     def log_likelihood(particles, seen, k):
         z = getattr(seen, channel)
