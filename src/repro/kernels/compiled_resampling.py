@@ -78,23 +78,23 @@ def effective_sample_sizes(weights, out):
 def systematic(weights, uniform, parents):
     """Parents, ascending, by systematic resampling with one uniform.
 
-    The first child of particle i is ceil(N c - u), c the weights before it; who has no child is
-    overwritten by the next.
+    The children of particle i begin at ceil(N c - u), c the weights before it. So the parent of a
+    child is how many other particles begin up to it: a count, then a sum, and no branches.
     """
     count = weights.size
     parents[:] = 0
-    before = 0.0
-    for i in range(count):
+    before = weights[0]
+    for i in range(1, count):
         place = count * before - uniform
-        child = int(place)
-        child += child < place
-        if child < count:
-            parents[child] = i
+        begin = int(place)
+        begin += begin < place
+        if begin < count:
+            parents[begin] += 1
         before += weights[i]
-    last = 0
+    parent = 0
     for child in range(count):
-        last = max(last, parents[child])
-        parents[child] = last
+        parent += parents[child]
+        parents[child] = parent
 
 
 @kernel
