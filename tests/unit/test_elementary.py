@@ -1,15 +1,9 @@
-"""The elementary functions against mpmath, and their bits under other kinds of CPU."""
-
-import hashlib
-import os
-import subprocess
-import sys
+"""The elementary functions against mpmath."""
 
 import mpmath
 import numba
 import numpy as np
 import pytest
-from llvmlite.binding import get_host_cpu_features
 
 from repro.kernels import arrays, elementary
 from repro.kernels.compiled import kernel
@@ -126,43 +120,6 @@ def test_arrays_of_any_shape():
     assert arrays.hypot(x, x[0]).shape == x.shape
     with pytest.raises(ValueError, match="shape"):
         arrays.exp(x, out=strided)
-
-
-DIGEST = """
-from tests.unit.test_elementary import digest
-print(digest())
-"""
-CPUS = {
-    "generic": {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""},
-    "haswell": {"NUMBA_CPU_NAME": "haswell", "NUMBA_CPU_FEATURES": "+avx2,+fma,+bmi,+bmi2"},
-    "this one": {},
-}
-
-
-def digest():
-    """Of all functions' results; sines and cosines of turns among them."""
-    total = hashlib.sha256()
-    for name, (_, _, *arguments) in CASES.items():
-        total.update(getattr(arrays, name)(*arguments).tobytes())
-    sine, cosine = np.empty_like(ANGLES), np.empty_like(ANGLES)
-    of_turns(ANGLES, sine, cosine)
-    return total.hexdigest() + hashlib.sha256(sine.tobytes() + cosine.tobytes()).hexdigest()
-
-
-def test_same_bits_under_other_cpus(tmp_path):
-    found = set()
-    for name, settings in CPUS.items():
-        if name == "haswell" and not get_host_cpu_features().get("avx2"):
-            continue
-        run = subprocess.run(
-            [sys.executable, "-c", DIGEST],
-            env=os.environ | settings | {"PYTHONPATH": os.pathsep.join(["src", "."])},
-            capture_output=True,
-            text=True,
-            check=True,
-        )
-        found.add(run.stdout)
-    assert len(found) == 1
 
 
 def of_all(x, y, out):

@@ -9,6 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from repro.models.rss import SignalStrength
+from repro.models.ungm import Growth
 from repro.network.saturation import Saturation
 from repro.streams import Streams
 
@@ -28,7 +30,7 @@ class SensorNetwork(NamedTuple):
     noise: Any  # GaussianNoise or ExponentialNoise
     saturation: Saturation | None = None
     energy: Any = None  # network.energy_harvesting.EnergyQueue
-    plant: Any = None  # ungm.Growth or rss.SignalStrength: `move` and `level` as data, for kernels
+    plant: Growth | SignalStrength | None = None  # `move` and `level` as data, for kernels
 
 
 class GaussianNoise(NamedTuple):
