@@ -19,7 +19,7 @@ from repro.parameters.settings import Bootstrap
 from repro.streams import Streams
 
 TRIALS, STEPS = 3, 20
-WANTED = "1596e58d269ec2d31fe5f6574558c97f"
+WANTED = "2bcbd25ff1a8ac6f56b4b1ed262cd4ed"
 ENVIRONMENTS = {
     "generic": {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""},
     "haswell": {"NUMBA_CPU_NAME": "haswell", "NUMBA_CPU_FEATURES": "+avx2,+fma,+bmi,+bmi2"},

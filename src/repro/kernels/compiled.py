@@ -34,7 +34,9 @@ def kernel(function: Callable) -> Any:
     """Compile a module-level function; its machine code is kept between processes.
 
     IEEE arithmetic as written: nothing is reordered or contracted, a division by zero is infinite
-    or NaN. Raises TypeError for a closure, which would be compiled anew in every process.
+    or NaN. A kernel allocates nothing, its arrays are handed to it: counting the references to
+    slices would cost more than what is done with them. Raises TypeError for a closure, which would
+    be compiled anew in every process.
     """
     return _compiled(function)
 
@@ -47,7 +49,7 @@ def scalar(function: Callable) -> Any:
 def _compiled(function: Callable, **options: bool) -> Any:
     if function.__closure__:
         raise TypeError(f"kernel {function.__qualname__} is a closure; pass what it needs as data")
-    compiled = numba.njit(error_model="numpy", fastmath=False, **options)(function)
+    compiled = numba.njit(error_model="numpy", fastmath=False, _nrt=False, **options)(function)
     if hasattr(compiled, "_cache"):  # not so under NUMBA_DISABLE_JIT
         compiled._cache = KernelCache(function)
     return compiled

@@ -68,6 +68,12 @@ def normals(first, second):
 
 
 @kernel
+def uniform(key, step, purpose):
+    """One uniform on (0, 1)."""
+    return uniforms(key, step, purpose, 0)[0]
+
+
+@kernel
 def fill_uniforms(key, step, purpose, out):
     """Uniforms on (0, 1); out (4 m,), that of index i at i, m + i, 2 m + i, 3 m + i."""
     m = out.size // 4

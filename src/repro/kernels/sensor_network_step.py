@@ -8,6 +8,9 @@ What the filter knows of the sensors is in two arguments:
 noise    (N + 1,): variances of Gaussian noise at the sensors, then of the channel; or the mean of
          exponential noise at each sensor, then a zero
 network  lambda(k) of (26), the saturation probability gbar, the saturation level
+
+Scratch of one trial: parents (particles,) int64; drawn (m,) random numbers, `drawn_length` of them;
+levels (N, particles).
 """
 
 import numpy as np
@@ -21,6 +24,11 @@ SYSTEMATIC, MULTINOMIAL = range(2)
 # Particles the sum of whose likelihoods is below this are weighted in logarithms.
 UNDERFLOWS = 1e-200
 SQUARED_DISTANCE_FLOOR = 1e-12  # m^2: a target on its sensor has a finite level
+
+
+def drawn_length(components: int, count: int) -> int:
+    """How many random numbers a trial has room for; multiple of four."""
+    return -4 * (-max(2, components) * count // 4) + 4
 
 
 @kernel
@@ -41,23 +49,22 @@ def growth(
     weights,
     mean,
     degenerate,
+    parents,
+    drawn,
+    levels,
 ):
     """Step k of the univariate nonstationary growth model (29).
 
     drive is 8 cos(1.2 (k - 1)), scale that of the Gamma noise, offsets (N,) the sensors'. Writes
     particles, weights, mean, and adds to degenerate (trials,) where nothing explains z.
     """
-    count, sensors = particles.shape[2], z.shape[1]
-    parents = np.empty(count, dtype=np.int64)
-    uniforms = np.empty(random.padded(2 * count))
-    levels = np.empty((sensors, count))
     for trial in range(keys.size):
         x = particles[trial]
-        draw_parents(weights_before[trial], scheme, keys[trial], k, parents)
+        draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
         take(before[trial], parents, x)
-        random.fill_uniforms(keys[trial], k, random.MOTION, uniforms)
-        move_growth(x[0], uniforms, drive, scale)
-        for i in range(sensors):
+        random.fill_uniforms(keys[trial], k, random.MOTION, drawn)
+        move_growth(x[0], drawn, drive, scale)
+        for i in range(len(levels)):
             level_growth(x[0], offsets[i], levels[i])
         degenerate[trial] += weigh(levels, z[trial], noise, network, in_logarithms, weights[trial])
         weighted_mean(x, weights[trial], mean[trial])
@@ -83,6 +90,9 @@ def signal_strength(
     weights,
     mean,
     degenerate,
+    parents,
+    drawn,
+    levels,
 ):
     """Step k of a target tracked by the strength of its signal (30)-(32).
 
@@ -90,16 +100,13 @@ def signal_strength(
     their positions; a level is level_at_one + slope log(squared distance). Writes as `growth`.
     """
     components, count = particles.shape[1:]
-    parents = np.empty(count, dtype=np.int64)
-    normals = np.empty(random.padded(components * count))
-    levels = np.empty((len(sensors), count))
     for trial in range(keys.size):
         x = particles[trial]
-        draw_parents(weights_before[trial], scheme, keys[trial], k, parents)
+        draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
         take(before[trial], parents, x)
-        random.fill_normals(keys[trial], k, random.MOTION, normals)
+        random.fill_normals(keys[trial], k, random.MOTION, drawn)
         for axis in range(components // 2):
-            of_axis = normals[2 * axis * count : 2 * (axis + 1) * count]
+            of_axis = drawn[2 * axis * count : 2 * (axis + 1) * count]
             move_axis(x[2 * axis], x[2 * axis + 1], of_axis, time, root)
         for i in range(len(sensors)):
             level_signal_strength(x, sensors[i], level_at_one, slope, levels[i])
@@ -108,14 +115,13 @@ def signal_strength(
 
 
 @kernel
-def draw_parents(weights, scheme, key, k, parents):
-    """Indices of the particles that are drawn, as the weights."""
+def draw_parents(weights, scheme, key, k, drawn, parents):
+    """Indices of the particles that are drawn, as the weights; `drawn` is written over."""
     if scheme == SYSTEMATIC:
-        uniform = np.empty(4)
-        random.fill_uniforms(key, k, random.RESAMPLING, uniform)
-        resampling.systematic(weights, uniform[0], parents)
+        uniform = random.uniform(key, k, random.RESAMPLING)
+        resampling.systematic(weights, uniform, parents)
     else:
-        uniforms = np.empty(random.padded(weights.size + 1))
+        uniforms = drawn[: random.padded(weights.size + 1)]
         random.fill_uniforms(key, k, random.RESAMPLING, uniforms)
         resampling.multinomial(weights, uniforms, parents)
 
@@ -201,16 +207,16 @@ def gaussian_likelihood(levels, z, variance, channel_variance, network, weights)
     """Multiply the weights by (27) of one sensor; variance: of both noises together (28)."""
     transmission, saturation, limit = network
     clipped = transmission * saturation
-    lost = (1.0 - transmission) * exp(log_normal(z, channel_variance))
-    low = clipped * exp(log_normal(z + limit, variance)) + lost
-    high = clipped * exp(log_normal(z - limit, variance)) + lost
-    peak = 1.0 / np.sqrt(2.0 * np.pi * variance)
-    within, beyond = transmission * peak, transmission * (1.0 - saturation) * peak
-    scale = -0.5 / variance
+    lost = (1.0 - transmission) * normal_density(z, channel_variance)
+    low = clipped * normal_density(z + limit, variance) + lost
+    high = clipped * normal_density(z - limit, variance) + lost
+    peak, scale = 1.0 / np.sqrt(2.0 * np.pi * variance), -0.5 / variance
+    within, beyond = transmission * peak, (transmission - clipped) * peak
     for j in range(levels.size):
         h = levels[j]
-        factor = within if -limit <= h <= limit else beyond
-        other = low if h < -limit else (high if h > limit else lost)
+        below, above = h < -limit, h > limit
+        factor = beyond if below or above else within
+        other = low if below else (high if above else lost)
         error = z - h
         weights[j] *= factor * exp(scale * (error * error)) + other
 
@@ -220,15 +226,16 @@ def exponential_likelihood(levels, z, mean, network, weights):
     """Multiply the weights by (27) of one sensor; mean: of either noise."""
     transmission, saturation, limit = network
     clipped = transmission * saturation
-    lost = (1.0 - transmission) * exp(log_exponential(z, mean))
-    low = clipped * exp(log_erlang(z + limit, mean)) + lost
-    high = clipped * exp(log_erlang(z - limit, mean)) + lost
     rate = 1.0 / mean
-    within, beyond = transmission * rate * rate, transmission * (1.0 - saturation) * rate * rate
+    lost = (1.0 - transmission) * (rate * exp(-rate * z) if z >= 0.0 else 0.0)
+    low = clipped * erlang_density(z + limit, rate) + lost
+    high = clipped * erlang_density(z - limit, rate) + lost
+    within, beyond = transmission * rate * rate, (transmission - clipped) * rate * rate
     for j in range(levels.size):
         h = levels[j]
-        factor = within if -limit <= h <= limit else beyond
-        other = low if h < -limit else (high if h > limit else lost)
+        below, above = h < -limit, h > limit
+        factor = beyond if below or above else within
+        other = low if below else (high if above else lost)
         error = z - h
         error = 0.0 if error < 0.0 else error
         weights[j] *= factor * (error * exp(-rate * error)) + other
@@ -274,6 +281,18 @@ def log_mixture(sent, at_limit, lost, beyond, network):
     total += clipped * exp(at_limit - largest) if clipped > 0.0 else 0.0
     total += gone * exp(lost - largest) if gone > 0.0 else 0.0
     return largest + log(total)
+
+
+@scalar
+def normal_density(error, variance):
+    """Density of N(0, variance)."""
+    return exp(-0.5 * error * error / variance) / np.sqrt(2.0 * np.pi * variance)
+
+
+@scalar
+def erlang_density(error, rate):
+    """Density of the sum of two exponentials (28)."""
+    return rate * rate * error * exp(-rate * error) if error > 0.0 else 0.0
 
 
 @scalar

@@ -38,12 +38,13 @@ def build(
     """Weighs by the likelihood (27) with lambda(k) = transmission[k]; no saturation is gbar = 0."""
     scheme, in_logarithms = SCHEMES[settings.resampling], settings.weights == "logarithmic"
     probability, limit = (0.0, UNREACHED) if saturation is None else saturation
-    noise = _noise(model)
+    noise, count = _noise(model), settings.particles
+    drawn = kernels.drawn_length(len(model.initial_mean), count)
     advance = _advance(model.plant)
 
     def init(streams: Streams) -> Cloud:
-        particles = np.ascontiguousarray(model.draw_prior(streams, settings.particles))
-        weights = np.full((len(streams), settings.particles), 1.0 / settings.particles)
+        particles = np.ascontiguousarray(model.draw_prior(streams, count))
+        weights = np.full((len(streams), count), 1.0 / count)
         mean = np.empty(particles.shape[:2])
         kernels.weighted_means(particles, weights, mean)
         return Cloud(particles, weights, mean, np.zeros(len(streams)), streams.keys())
@@ -59,7 +60,9 @@ def build(
         )
         network = float(transmission[k]), float(probability), float(limit)
         known = noise, network, scheme, in_logarithms
-        advance(k, (cloud.keys, k, z), (*known, cloud.particles, cloud.weights, *after[:4]))
+        scratch = np.empty(count, dtype=np.int64), np.empty(drawn), np.empty((z.shape[1], count))
+        clouds = cloud.particles, cloud.weights, *after[:4]
+        advance(k, (cloud.keys, k, z), (*known, *clouds, *scratch))
         return after
 
     def diagnostics(cloud: Cloud) -> dict[str, np.ndarray]:
