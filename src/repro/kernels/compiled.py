@@ -46,10 +46,11 @@ def scalar(function: Callable) -> Any:
     return _compiled(function, forceinline=True)
 
 
-def _compiled(function: Callable, **options: bool) -> Any:
+def _compiled(function: Callable, **options: Any) -> Any:
     if function.__closure__:
         raise TypeError(f"kernel {function.__qualname__} is a closure; pass what it needs as data")
-    compiled = numba.njit(error_model="numpy", fastmath=False, _nrt=False, **options)(function)
+    options |= {"error_model": "numpy", "fastmath": False, "_nrt": False}
+    compiled: Any = numba.jit(nopython=True, **options)(function)
     if hasattr(compiled, "_cache"):  # not so under NUMBA_DISABLE_JIT
         compiled._cache = KernelCache(function)
     return compiled
@@ -100,8 +101,9 @@ class KernelCache(NullCache):
         """NUMBA_CACHE_DIR alone, if it is set; else beside the source, else the user's cache."""
         folder = self._source.resolve().parent
         own = hashlib.sha256(str(folder).encode()).hexdigest()[:16]
-        if config.CACHE_DIR:
-            yield Path(config.CACHE_DIR) / f"repro-{own}"
+        named = _setting("CACHE_DIR")
+        if named:
+            yield Path(named) / f"repro-{own}"
             return
         yield folder / "__pycache__"
         home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")  # noqa: PTH111
@@ -112,7 +114,7 @@ class KernelCache(NullCache):
         depends_on = (
             repr(sig),
             codegen.magic_tuple(),
-            (config.OPT, config.LOOP_VECTORIZE, config.SLP_VECTORIZE, config.BOUNDSCHECK),
+            [_setting(n) for n in ("OPT", "LOOP_VECTORIZE", "SLP_VECTORIZE", "BOUNDSCHECK")],
             (numba.__version__, llvmlite.__version__, np.__version__),
             (platform.python_implementation(), sys.version_info[:3], getattr(sys, "abiflags", "")),
         )
@@ -129,6 +131,11 @@ class KernelCache(NullCache):
         for entry in place.glob(f"{self._name}.*{SUFFIX}"):
             if not entry.name.startswith(f"{self._name}.{self._stamp()}."):
                 entry.unlink(missing_ok=True)
+
+
+def _setting(name: str) -> Any:
+    """A setting of numba, from its environment variable NUMBA_<name>."""
+    return getattr(config, name)
 
 
 @cache

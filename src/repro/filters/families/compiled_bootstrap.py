@@ -1,5 +1,6 @@
 """The bootstrap filter of [energy_harvesting Algorithm 1] by compiled kernels."""
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -8,7 +9,7 @@ from repro.filters import Filter
 from repro.kernels import arrays, compiled_resampling
 from repro.kernels import sensor_network_step as kernels
 from repro.models.rss import SignalStrength
-from repro.models.sensor_network import GaussianNoise, SensorNetwork
+from repro.models.sensor_network import ExponentialNoise, GaussianNoise, SensorNetwork
 from repro.models.ungm import Growth
 from repro.network.saturation import Saturation
 from repro.parameters.settings import Bootstrap
@@ -26,6 +27,12 @@ class Cloud(NamedTuple):
     mean: np.ndarray  # sum of w x, (trials, n)
     degenerate: np.ndarray  # updates so far that no particle explained, (trials,)
     keys: np.ndarray  # of the trials' random numbers, (trials,)
+
+
+def covers(model: SensorNetwork) -> bool:
+    """Whether there are kernels for a model."""
+    known = isinstance(model.noise, GaussianNoise | ExponentialNoise)
+    return model.plant is not None and known
 
 
 def build(
@@ -83,10 +90,11 @@ def _noise(model: SensorNetwork) -> np.ndarray:
     """As the kernels have it, (N + 1,)."""
     if isinstance(model.noise, GaussianNoise):
         return np.append(model.noise.measurement_variances, model.noise.channel_variance)
+    assert isinstance(model.noise, ExponentialNoise)
     return np.append(np.full(model.sensors, model.noise.mean), 0.0)
 
 
-def _advance(plant: Growth | SignalStrength):
+def _advance(plant: Growth | SignalStrength | None) -> Callable:
     """Step of the plant: calls its kernel with what is the plant's between the other arguments."""
     if isinstance(plant, Growth):
         offsets = np.array(plant.offsets, dtype=float)
@@ -96,6 +104,7 @@ def _advance(plant: Growth | SignalStrength):
             kernels.growth(*first, drive, float(plant.noise_scale), offsets, *rest)
 
         return advance
+    assert isinstance(plant, SignalStrength)
     slope = -5.0 * plant.exponent / arrays.log(10.0)
     at_one = plant.power + 10.0 * plant.exponent * arrays.log10(plant.reference)
     time, root = float(plant.time), np.array(plant.root, order="C")

@@ -35,7 +35,7 @@ def build(
         probability = transmission_probability(model.energy, model.steps, transmission)
 
     saturation = model.saturation if saturates else None
-    if model.plant is not None:
+    if compiled_bootstrap.covers(model):
         return compiled_bootstrap.build(model, settings, probability, saturation, channel)
 
     def move(particles, cloud, k):
