@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable
+from functools import cached_property
 from zlib import crc32
 
 import numpy as np
@@ -17,16 +18,30 @@ class Streams:
     """
 
     def __init__(self, root_seed: int, study: str, role: str, trials: Iterable[int]):
-        key = (crc32(study.encode()), crc32(role.encode()))
-        self.generators = [
-            np.random.Generator(
-                np.random.PCG64(np.random.SeedSequence(root_seed, spawn_key=(*key, trial)))
-            )
-            for trial in trials
+        role_key = (crc32(study.encode()), crc32(role.encode()))
+        self._root_seed = root_seed
+        self._spawn_keys = [(*role_key, trial) for trial in trials]
+
+    @cached_property
+    def generators(self) -> list[np.random.Generator]:
+        """NumPy's generators, one a trial."""
+        return [
+            np.random.Generator(np.random.PCG64(self._sequence(key))) for key in self._spawn_keys
         ]
 
+    def keys(self) -> np.ndarray:
+        """Keys of the counter-based generator of `repro.kernels.random`, (trials,) uint64.
+
+        Of a child of each stream's seed sequence, so that they are independent of `generators`.
+        """
+        keys = [self._sequence((*key, 1)).generate_state(1, np.uint64) for key in self._spawn_keys]
+        return np.concatenate(keys) if keys else np.empty(0, dtype=np.uint64)
+
+    def _sequence(self, spawn_key: tuple[int, ...]) -> np.random.SeedSequence:
+        return np.random.SeedSequence(self._root_seed, spawn_key=spawn_key)
+
     def __len__(self) -> int:
-        return len(self.generators)
+        return len(self._spawn_keys)
 
     def _draw(self, shape: tuple[int, ...], fill: Fill) -> np.ndarray:
         drawn = np.empty((len(self), *shape))

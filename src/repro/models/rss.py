@@ -3,9 +3,22 @@
 The state is [s_x v_x s_y v_y (s_z v_z)], in m and m/s; the positions are components 0, 2 (, 4).
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 SQUARED_DISTANCE_FLOOR = 1e-12  # m^2: a target on its sensor has a finite level
+
+
+class SignalStrength(NamedTuple):
+    """The target and its sensors as data."""
+
+    time: float  # sampling time, s
+    root: np.ndarray  # of one axis, (2, 2)
+    sensors: np.ndarray  # positions, (N, axes), m
+    power: float  # at the reference distance, dBm
+    exponent: float  # of the path loss
+    reference: float  # distance, m
 
 
 def process_root(time: float, acceleration_variance: float) -> np.ndarray:

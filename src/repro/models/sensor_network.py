@@ -9,6 +9,8 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from repro.models.rss import SignalStrength
+from repro.models.ungm import Growth
 from repro.network.energy_harvesting import EnergyQueue
 from repro.network.saturation import Saturation
 from repro.streams import Streams
@@ -60,6 +62,7 @@ class SensorNetwork(NamedTuple):
     noise: Noise
     saturation: Saturation | None = None  # None: nothing saturates
     energy: EnergyQueue | None = None  # None: the sensors always transmit
+    plant: Growth | SignalStrength | None = None  # `move` and `level` as data, for kernels
 
 
 class GaussianNoise(NamedTuple):

@@ -1,8 +1,17 @@
 """Univariate nonstationary growth model with Gamma noise [energy_harvesting (29)]."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from repro.streams import Streams
+
+
+class Growth(NamedTuple):
+    """The plant and its sensors as data."""
+
+    noise_scale: float  # of the Gamma noise
+    offsets: tuple[float, ...]  # of the sensors, (N,)
 
 
 def transition(x: np.ndarray, k: int) -> np.ndarray:

@@ -86,6 +86,7 @@ class Ungm(HarvestingStudy):
             noise=noise(parameters),
             saturation=harvesting_sensors.saturation_of(parameters),
             energy=harvesting_sensors.queue(parameters),
+            plant=ungm.Growth(parameters.process_noise_scale, offsets),
         )
 
 

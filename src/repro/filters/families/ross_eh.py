@@ -7,7 +7,7 @@ the transmission probability that they assume.
 import numpy as np
 
 from repro.filters import Filter
-from repro.filters.families import particle_filter
+from repro.filters.families import compiled_bootstrap, particle_filter
 from repro.models.sensor_network import SensorNetwork
 from repro.network.energy_harvesting import TransmissionRule, transmission_probability
 from repro.parameters.settings import Bootstrap
@@ -33,10 +33,12 @@ def build(
     else:
         probability = transmission_probability(model.energy, model.steps, transmission)
 
+    saturation = model.saturation if saturates else None
+    if compiled_bootstrap.covers(model):
+        return compiled_bootstrap.build(model, settings, probability, saturation, channel)
+
     def move(particles, cloud, k):
         return model.move(particles, k, cloud.streams)
-
-    saturation = model.saturation if saturates else None
 
     def log_likelihood(particles, seen, k):
         z = getattr(seen, channel)

@@ -165,6 +165,14 @@ def model(parameters: SignalStrengthParameters, draw_prior: DrawPrior) -> Sensor
         noise=noise(parameters),
         saturation=harvesting_sensors.saturation_of(parameters),
         energy=harvesting_sensors.queue(parameters),
+        plant=rss.SignalStrength(
+            time,
+            root,
+            positions(parameters),
+            parameters.reference_power,
+            parameters.path_loss_exponent,
+            parameters.reference_distance,
+        ),
     )
 
 

@@ -1,0 +1,117 @@
+"""Weights and resampling of one trial, for kernels. Weights are (particles,)."""
+
+import numpy as np
+
+from repro.kernels.compiled import kernel
+from repro.kernels.elementary import exp, log_of_normal
+
+
+@kernel
+def total(values):
+    """Sum in four interleaved parts, so that an addition need not wait for the one before."""
+    a = b = c = d = 0.0
+    whole = values.size // 4 * 4
+    for i in range(0, whole, 4):
+        a += values[i]
+        b += values[i + 1]
+        c += values[i + 2]
+        d += values[i + 3]
+    for i in range(whole, values.size):
+        a += values[i]
+    return (a + b) + (c + d)
+
+
+@kernel
+def weighted_total(weights, values):
+    """Sum of weights times values, in four interleaved parts."""
+    a = b = c = d = 0.0
+    whole = values.size // 4 * 4
+    for i in range(0, whole, 4):
+        a += weights[i] * values[i]
+        b += weights[i + 1] * values[i + 1]
+        c += weights[i + 2] * values[i + 2]
+        d += weights[i + 3] * values[i + 3]
+    for i in range(whole, values.size):
+        a += weights[i] * values[i]
+    return (a + b) + (c + d)
+
+
+@kernel
+def normalise(weights):
+    """Scale weights to the sum one. If they have no positive finite sum they become equal;
+    returns whether that is so."""
+    scale = 1.0 / total(weights)
+    degenerate = not 0.0 < scale < np.inf
+    for i in range(weights.size):
+        weights[i] = 1.0 / weights.size if degenerate else weights[i] * scale
+    return degenerate
+
+
+@kernel
+def normalise_logarithms(weights):
+    """Turn log weights into weights as `normalise` does, in any common scale.
+
+    The largest is subtracted first, so that a row that underflows as a whole keeps its order.
+    """
+    largest = -np.inf
+    for i in range(weights.size):
+        largest = weights[i] if weights[i] > largest else largest
+    for i in range(weights.size):  # NaN if none is finite
+        weights[i] = exp(weights[i] - largest)
+    return normalise(weights)
+
+
+@kernel
+def effective_sample_size(weights):
+    """1 / sum of squared weights."""
+    return 1.0 / weighted_total(weights, weights)
+
+
+@kernel
+def effective_sample_sizes(weights, out):
+    """Of each row of weights (rows, particles); out (rows,)."""
+    for row in range(len(weights)):
+        out[row] = effective_sample_size(weights[row])
+
+
+@kernel
+def systematic(weights, uniform, parents):
+    """Parents, ascending, by systematic resampling with one uniform.
+
+    The children of particle i begin at ceil(N c - u), c the weights before it. So the parent of a
+    child is how many other particles begin up to it: a count, then a sum, and no branches.
+    """
+    count = weights.size
+    parents[:] = 0
+    before = weights[0]
+    for i in range(1, count):
+        place = count * before - uniform
+        begin = int(place)
+        begin += begin < place
+        if begin < count:
+            parents[begin] += 1
+        before += weights[i]
+    parent = 0
+    for child in range(count):
+        parent += parents[child]
+        parents[child] = parent
+
+
+@kernel
+def multinomial(weights, uniforms, parents):
+    """Parents, ascending, by multinomial resampling with N + 1 uniforms on (0, 1).
+
+    Sorted uniforms are cumulated exponentials over their sum (Devroye, 1986); overwritten.
+    """
+    count = weights.size
+    for j in range(count + 1):
+        uniforms[j] = -log_of_normal(uniforms[j])
+    scale = 1.0 / total(uniforms[: count + 1])
+    parent, upto = 0, weights[0]
+    point = 0.0
+    for j in range(count):
+        point += uniforms[j] * scale
+        while upto <= point and parent < count - 1:
+            parent += 1
+            upto += weights[parent]
+        parents[j] = parent
