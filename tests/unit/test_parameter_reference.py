@@ -14,4 +14,4 @@ def test_types_bounds_and_descriptions_are_shown():
     assert "| `trials` | integer, ≥ 1 | number of trials, i.e. Monte Carlo runs |" in rows
     assert "| `shards` | integer, ≥ 1 | jobs that the trials of a point are split into |" in rows
     assert any(row.startswith("| `sampling_time` | number, > 0 or `k` |") for row in rows)
-    assert any(row.startswith("| `alpha_rule` | `sum to one` or `8b` |") for row in rows)
+    assert any(row.startswith("| `alpha_rule` | `sum to one` or `8b`") for row in rows)
