@@ -1,6 +1,7 @@
 """A statistic of several filters over a swept parameter, with its Monte Carlo band."""
 
 from collections.abc import Iterable, Mapping
+from typing import TypeVar
 
 from matplotlib.axes import Axes
 
@@ -8,10 +9,12 @@ from repro.plot import style
 from repro.plot.style import BAND
 from repro.tables.results import Results
 
+Value = TypeVar("Value", bound=float)  # of the swept parameter
+
 
 def running(
-    results: Results, study: str, points: Mapping[float, str], filters: Iterable[str] | None = None
-) -> dict[str, dict[float, str]]:
+    results: Results, study: str, points: Mapping[Value, str], filters: Iterable[str] | None = None
+) -> dict[str, dict[Value, str]]:
     """Those of `points` (swept value -> name) that a filter runs on, by filter.
 
     The filters are those given and a reader's own, as far as they run on any; all if none is given.

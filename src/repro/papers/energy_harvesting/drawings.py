@@ -75,8 +75,14 @@ def rmse_over_k(
     for curve in curves:
         rows = table.loc[(table["point"] == curve.point) & (table["filter"] == curve.filter)]
         lowest = min(lowest, rows["median"].min())
-        look = {"color": curve.colour, "ls": curve.line}
-        axes.plot(rows["k"], rows["value"], lw=1.4, label=curve.label, **look)
+        axes.plot(
+            rows["k"],
+            rows["value"],
+            lw=1.4,
+            ls=curve.line,
+            label=curve.label,
+            color=curve.colour,
+        )
         axes.plot(rows["k"], rows["median"], lw=0.9, ls=":", color=curve.colour)
         axes.fill_between(
             rows["k"],
@@ -101,7 +107,9 @@ def prediction(
     study: str, parameters: SignalStrengthParameters, component: str, k: np.ndarray
 ) -> np.ndarray:
     """RMSE(k) of x(0) predicted without data, from the variance of the process noise (31)."""
-    axes = len(plugins.study(study).components[component])
+    of_study = plugins.study(study)
+    assert isinstance(of_study, harvesting_sensors.HarvestingStudy)
+    axes = len(of_study.components[component])
     time = k * parameters.sampling_time
     variance = time**3 / 3 if component == "position" else time
     return np.sqrt(axes * parameters.acceleration_variance * variance)
