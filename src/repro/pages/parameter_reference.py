@@ -80,8 +80,6 @@ def _kind(annotation: Any, metadata: list[Any]) -> str:
         case origin if origin is tuple:
             kinds = list(dict.fromkeys(_kind(argument, []) for argument in arguments))
             return _bounded(f"{len(arguments)} × ({', '.join(kinds)})", metadata)
-        case origin if origin is dict:
-            return _bounded("mapping", metadata)
     return _bounded(SCALARS[annotation], metadata)
 
 
