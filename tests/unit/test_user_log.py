@@ -1,7 +1,6 @@
 """A filter on logs recorded elsewhere."""
 
 import json
-import re
 import struct
 
 import lz4.frame
@@ -19,11 +18,9 @@ from repro.errors import ReproError
 from repro.inspect.user_log import run_user_log
 from repro.logs import LogError, read_user_log, write_log
 from repro.logs.format import MAGIC
-from repro.pages.log_topics import log_topics
 from repro.parameters.load import load_run, user_values
 from repro.runner import run, run_filter
 from tests.conftest import ROOT, catalogue, points, registered, small_log
-from tests.workflow.conftest import Project
 
 STUDY, POINT = "linear_delays", "arrival=0.5"
 
@@ -443,29 +440,3 @@ def test_faults_of_a_log_are_named_in_one_line(changes, message, tmp_path):
     with pytest.raises(LogError, match=rf"user\.mcap: topic /truth: .*{message}") as error:
         read(path)
     assert "\n" not in str(error.value)
-
-
-PAGE = (ROOT / "docs/your-own-log.md").read_text()
-
-
-def test_the_page_lists_the_topics_that_the_studies_name():
-    assert PAGE.endswith(log_topics(ROOT / "params") + "\n"), "see repro.pages.log_topics"
-
-
-def test_the_example_of_the_page_runs_to_its_table(tmp_path, monkeypatch):
-    project = Project(tmp_path)
-    monkeypatch.chdir(tmp_path)
-    blocks = re.findall(r"```(\w+)\n(.*?)```", PAGE, flags=re.DOTALL)
-    for kind, text in blocks:
-        if kind == "python":
-            exec(compile(text, "docs/your-own-log.md", "exec"), {})
-    (yaml_,) = (text for kind, text in blocks if kind == "yaml")
-    (tmp_path / "robot.yaml").write_text(yaml_)
-    (command,) = (text.split() for kind, text in blocks if kind == "sh")
-    tables = []
-    for log in ("robot.mcap", "robot_ros2.mcap"):
-        project.snakemake(*(word.replace("robot.mcap", log) for word in command[2:]))
-        tables.append(pd.read_csv(tmp_path / command[2]))
-    pd.testing.assert_frame_equal(*tables)
-    assert list(tables[0].columns) == ["trial", "k", "p1", "v1", "a1", "p2", "v2", "a2"]
-    assert len(tables[0]) == 21 and abs(tables[0]["p1"].iloc[-1] - 140.0) < 10.0
