@@ -110,7 +110,7 @@ def test_a_parameter_file_of_any_text(text, tmp_path):
 @FUZZ
 @given(
     overrides=st.dictionaries(
-        st.sampled_from(["trials", "shards", "into", "log", "study", "x"]), values
+        st.sampled_from(["trials", "shards", "into", "log", "study", "parameters", "x"]), values
     )
 )
 def test_any_config(overrides):

@@ -133,6 +133,10 @@ def _check(path: str | Path, log: Log, scenario: Study) -> None:
                         f"{least} to {greatest}"
                     )
 
+    fault = scenario.fault(log)
+    if fault is not None:
+        raise LogError(f"{path}: {fault}")
+
 
 def _with_all_topics(log: Log, topics: Fields, once: tuple[str, ...]) -> Log:
     """The log with NaN for the topics and fields that were not read, except for a missing truth."""

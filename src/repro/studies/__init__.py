@@ -64,6 +64,10 @@ class Study(ABC):
         """The fields that are whole numbers, for the check of a log recorded elsewhere."""
         return {}
 
+    def fault(self, log: Log) -> str | None:
+        """What values of a log recorded elsewhere cannot go together; None if all can."""
+        return None
+
     def rows(self, shards: Shards, analysis: Any) -> Rows:
         """The numbers of the study's table."""
         rmse = metrics.roots_over_steps(shards.each(self.squared_error))

@@ -5,7 +5,6 @@ from typing import Annotated, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from repro.errors import ReproError
 from repro.logs import Log
 from repro.models import DelayNetwork, Model, coordinated_turn
 from repro.network import packet_delays
@@ -143,20 +142,6 @@ def position_error(runs: Runs) -> np.ndarray:
     return np.hypot(runs.error[:, :, 0], runs.error[:, :, 1])
 
 
-def _check_origins(log: Log, trials: slice) -> None:
-    """Raise ReproError for a packet that is from a later step, or older than the bound."""
-    origin, bound = log.field("/received", "origin")[trials], log.parameters.packet_bound
-    late = np.arange(origin.shape[1]) - origin
-    wrong = (origin >= 0) & ((late < 0) | (late > bound))
-    if wrong.any():
-        trial, step = np.argwhere(wrong)[0]
-        raise ReproError(
-            f"{log.study}: topic /received: the field 'origin' of trial "
-            f"{log.trials[trials][trial]}, step {step} is {origin[trial, step]:g}; a packet is "
-            f"at most {bound} steps late"
-        )
-
-
 class WsnTracking(Study):
     """A target on a circle; in each step the sensor nearest to the predicted position measures.
 
@@ -255,10 +240,22 @@ class WsnTracking(Study):
             "/network": {"delay": (packet_delays.least_delay(bound, _lossy(parameters)), bound)},
         }
 
+    def fault(self, log: Log) -> str | None:
+        """A packet that is from a later step, or older than the bound."""
+        origin, bound = log.field("/received", "origin"), log.parameters.packet_bound
+        late = np.arange(origin.shape[1]) - origin
+        wrong = (origin >= 0) & ((late < 0) | (late > bound))
+        if not wrong.any():
+            return None
+        trial, step = np.argwhere(wrong)[0]
+        return (
+            f"topic /received: the field 'origin' of trial {log.trials[trial]}, step {step} is "
+            f"{origin[trial, step]:g}; a packet is at most {bound} steps late"
+        )
+
     def channels(self, log: Log, trials: slice) -> ScheduledRanges:
         parameters = log.parameters
         delay = log.field("/network", "delay")[trials]
-        _check_origins(log, trials)
         on_truth = parameters.scheduled_on == "true position"
         return ScheduledRanges(
             positions=positions(log)[trials],
