@@ -43,6 +43,7 @@ if RUN.filter is None:
         conda:
             ENVIRONMENT
         params:
+            rankings={study: LAYOUT.ranking(study) for study in STUDIES},
             catalogue=REGISTRY.catalogue(*STUDIES),
             points={
                 study: {

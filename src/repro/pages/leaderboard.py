@@ -1,6 +1,7 @@
 """The leaderboard: every filter of every study, by family of points."""
 
-from collections.abc import Iterable
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -28,7 +29,8 @@ CPU = "CPU µs a step"
 def summarised(table: pd.DataFrame) -> pd.DataFrame:
     """One row a study, family and filter, from one row a study, point and filter."""
     rows = []
-    for (study, family, filter_), of in table.groupby(["study", "family", "filter"], sort=False):
+    groups: Any = table.groupby(["study", "family", "filter"], sort=False)
+    for (study, family, filter_), of in groups:
         verdicts = of["verdict"].value_counts()
         rows.append(
             {
@@ -50,24 +52,29 @@ def summarised(table: pd.DataFrame) -> pd.DataFrame:
     summary = pd.DataFrame(rows)
     order = summary.groupby(["study", "family"], sort=False).ngroup()
     summary = summary.assign(order=order).sort_values(["order", "error"], kind="stable")
-    return summary.drop(columns="order").reset_index(drop=True)
+    return summary.drop(columns="order")
 
 
 def with_cpu(summary: pd.DataFrame, times: pd.DataFrame) -> pd.DataFrame:
     """The summary with CPU time: the median over the family's points that it is known for."""
     cpu = times.groupby(["study", "family", "filter"])["cpu_us_per_step"].median()
-    keys = pd.MultiIndex.from_frame(summary[["study", "family", "filter"]])
+    keys = pd.MultiIndex.from_arrays([summary[name] for name in ("study", "family", "filter")])
     return summary.assign(**{CPU: cpu.reindex(keys).to_numpy()})
 
 
-def write_leaderboard(rankings: Iterable[str], csv: str) -> None:
-    """Write the leaderboard of all studies, given the files of their rankings."""
-    write_csv(pd.concat([pd.read_csv(path) for path in rankings]), csv)
+def write_leaderboard(
+    rankings: Mapping[str, str], csv: str, markdown: str, times: pd.DataFrame | None = None
+) -> None:
+    """Write the leaderboard of all studies, given the file of each study's ranking.
 
-
-def write_page(csv: str, times: str, markdown: str) -> None:
-    """Write the leaderboard as a page, with the CPU times of this machine."""
-    summary = with_cpu(summarised(pd.read_csv(csv)), pd.read_csv(times))
+    Only the page has CPU times, `repro.workflow.timings.filter_times`: the CSV file depends on no
+    machine.
+    """
+    table = pd.concat([pd.read_csv(path) for path in rankings.values()])
+    write_csv(table, csv)
+    summary = summarised(table)
+    if times is not None:
+        summary = with_cpu(summary, times)
     text = [f"# {TITLE}", "", LEGEND, ""]
     for study, of_study in summary.groupby("study", sort=False):
         text += [f"## {study}", ""]
@@ -80,7 +87,7 @@ def write_page(csv: str, times: str, markdown: str) -> None:
 def _markdown(rows: pd.DataFrame) -> str:
     labels = [plugins.filter_module(name).LABEL for name in rows["filter"]]
     shown = rows.assign(filter=labels).dropna(axis="columns", how="all")
-    if not rows[["better", "worse", "not decided"]].any(axis=None):
+    if not rows[["better", "worse", "not decided"]].to_numpy().any():
         shown = shown.drop(columns=["better", "worse", "not decided"])
     cells = {name: [_cell(value) for value in values] for name, values in shown.items()}
     return tabulate(

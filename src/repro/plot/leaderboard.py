@@ -1,5 +1,7 @@
 """The leaderboard as a picture: a panel a study, a row a filter."""
 
+from typing import Any
+
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
@@ -17,9 +19,11 @@ TICKS = (0.25, 0.5, 1, 2, 5, 10, 20, 40)
 def leaderboard(results: Results) -> Figure:
     """Errors relative to the most informed reference on the first family of every study."""
     table = results.leaderboard()
-    studies = {study: _relative(results, study, of) for study, of in table.groupby("study")}
-    studies = {study: studies[study] for study in table["study"].unique()}
-    sizes = [HEADING + ROW * rows["filter"].nunique() for rows, _ in studies.values()]
+    studies = {
+        study: _relative(results, study, table[table["study"] == study])
+        for study in map(str, table["study"].unique())
+    }
+    sizes = [HEADING + ROW * len(set(rows["filter"])) for rows, _ in studies.values()]
     drawn, grid = style.figure(
         len(studies),
         1,
@@ -30,7 +34,7 @@ def leaderboard(results: Results) -> Figure:
     )
     for axes, (study, (rows, reference)) in zip(grid.flat, studies.items(), strict=True):
         _draw_study(axes, results, rows)
-        points = rows["point"].nunique()
+        points = len(set(rows["point"]))
         title = f"{study}: {points} {'point' if points == 1 else 'points'}, relative to {reference}"
         axes.set_title(title, fontsize=9, loc="left")
     last = grid.flat[-1]
@@ -41,7 +45,7 @@ def leaderboard(results: Results) -> Figure:
     return drawn
 
 
-def _relative(results: Results, study: str, table: pd.DataFrame) -> tuple[pd.DataFrame, str]:
+def _relative(results: Results, study: str, table: Any) -> tuple[pd.DataFrame, str]:
     """Rows of the first family with `ratio` and `median_ratio`, and what they are relative to.
 
     A point where the reference has no error is left out.
@@ -49,11 +53,11 @@ def _relative(results: Results, study: str, table: pd.DataFrame) -> tuple[pd.Dat
     rows = table[table["family"] == table["family"].iloc[0]]
     informed = results.ranking(study).informed
     if informed in set(rows["filter"]):
-        name, label = rows["point"].map(lambda _: informed), style.label(str(informed))
+        name, label = [informed] * len(rows), style.label(str(informed))
     else:
         name, label = rows["best_of_paper"], "the best of the paper's filters"
     of = rows.set_index(["point", "filter"])
-    reference = of.reindex(pd.MultiIndex.from_arrays([rows["point"], name]))
+    reference: Any = of.reindex(pd.MultiIndex.from_arrays([rows["point"], name]))
     ratios = {
         ratio: rows[column].to_numpy() / reference[column].replace(0.0, np.nan).to_numpy()
         for ratio, column in (("ratio", "error"), ("median_ratio", "median"))
@@ -61,7 +65,7 @@ def _relative(results: Results, study: str, table: pd.DataFrame) -> tuple[pd.Dat
     return rows.assign(**ratios), label
 
 
-def _draw_study(axes: Axes, results: Results, rows: pd.DataFrame) -> None:
+def _draw_study(axes: Axes, results: Results, rows: Any) -> None:
     middle = {name: geometric_mean(of["ratio"]) for name, of in rows.groupby("filter")}
     names = sorted(middle, key=lambda name: middle[name])
     for place, name in enumerate(names):

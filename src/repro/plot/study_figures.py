@@ -5,7 +5,6 @@ from textwrap import fill
 from typing import Any, NamedTuple
 
 import numpy as np
-import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -155,9 +154,7 @@ def _curve(axes: Axes, results: Results, filter_: str, x: Any, y: Any, offset: f
     )
 
 
-def _band(
-    axes: Axes, results: Results, filter_: str, x: Any, value: pd.Series, mcse: pd.Series
-) -> None:
+def _band(axes: Axes, results: Results, filter_: str, x: Any, value: Any, mcse: Any) -> None:
     """Two standard errors of the logarithm, which stays positive.
 
     An error is taken to be known to a factor of e^2 at least, where one run makes up the mean.
@@ -174,8 +171,8 @@ def _unit(study: str) -> str:
 
 
 def _title(results: Results, study: str) -> str:
-    trials = results.ranking_table(study)["trials"]
-    runs = f"{trials.min()} to {trials.max()}" if trials.nunique() > 1 else f"{trials.max()}"
+    trials = sorted(set(results.ranking_table(study)["trials"]))
+    runs = f"{trials[0]} to {trials[-1]}" if len(trials) > 1 else f"{trials[0]}"
     return f"{study}: every filter, {runs} runs"
 
 

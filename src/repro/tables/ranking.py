@@ -113,7 +113,7 @@ def tabulate_ranking(results: Results, study: str, table: str, over_k: str, shar
     write_csv(pd.concat(distributions), shares)
 
 
-def geometric_mean(values: pd.Series) -> float:
+def geometric_mean(values: Any) -> float:
     """Of the values that are known; 0 if one of them is 0."""
     with np.errstate(divide="ignore"):
         return float(np.exp(np.log(values).mean()))

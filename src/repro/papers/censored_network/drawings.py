@@ -35,7 +35,7 @@ def track(results: Results, study: str, target: int, trial: int) -> Figure:
     first = len(STATE) * (target - 1)
     columns = slice(first, first + 2)
     truth = log.values["/truth"][trial, :, columns]
-    drawn, axes = style.figure(size=(6.0, 4.8))
+    drawn, axes = style.figure(size=(5.2, 5.7))
     for group, (positions, marker) in enumerate(zip(sensors(log.parameters), "^v", strict=True)):
         axes.plot(
             *positions.T,
@@ -67,7 +67,7 @@ def track(results: Results, study: str, target: int, trial: int) -> Figure:
         aspect="equal",
         title=f"target {target}, run {trial}",
     )
-    drawn.legend(fontsize=8, loc="outside right upper")
+    drawn.legend(fontsize=8, ncols=2, loc="outside lower center")
     return drawn
 
 

@@ -36,7 +36,7 @@ def error_over_arrival_probability(results: Results, component: str) -> Figure:
     last = results.curves(LINEAR)["k"].max()
     axes.set(
         ylabel=f"RMS error of {component[0]}$_{component[1]}$ over k = 1 ... {last}",
-        title=f"Bands: ±{BAND} Monte Carlo standard errors, {trials} runs",
+        title=f"Bands: ±{BAND:g} Monte Carlo standard errors, {trials} runs",
     )
     axes.legend(fontsize=8)
     _draw_excess(excess, results, points, component)
