@@ -206,6 +206,8 @@ def test_values_of_ones_own_come_from_config_or_a_file(tmp_path):
     file.write_text("steps: 5\n")
     assert user_values(str(file)) == ({"steps": 5}, str(file))
     assert user_values({"steps": 5}) == ({"steps": 5}, "--config: parameters")
+    # Snakemake reads only the outermost value of --config.
+    assert user_values({"steps": "5", "x": ["1.5", "a"]})[0] == {"steps": 5, "x": [1.5, "a"]}
     assert user_values(None)[0] == {}
     for given in (str(file), {"steps": 5}):
         assert load_run(ROOT / "params/run.yaml", {"parameters": given}).parameters == given

@@ -146,7 +146,22 @@ def user_values(given: str | dict[str, Any] | None) -> tuple[dict[str, Any], str
     """Values that replace a point's, given on the spot or as a YAML file, and where they are."""
     if isinstance(given, str):
         return read_yaml(given), given
-    return given or {}, "--config: parameters"
+    where = "--config: parameters"
+    values = {name: _read_again(value) for name, value in (given or {}).items()}
+    check_plain(values, where)
+    return values, where
+
+
+def _read_again(value: Any) -> Any:
+    """A value inside a mapping of --config, whose numbers Snakemake leaves as strings."""
+    if isinstance(value, list):
+        return [_read_again(entry) for entry in value]
+    if not isinstance(value, str):
+        return value
+    try:
+        return yaml.safe_load(value)
+    except (yaml.YAMLError, ValueError, RecursionError):
+        return value
 
 
 def check_shards(studies: dict[str, dict[str, Point]], shards: int) -> None:
