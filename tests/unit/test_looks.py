@@ -2,7 +2,11 @@
 
 from itertools import combinations
 
-from repro.plot import looks
+import numpy as np
+import pytest
+from matplotlib import pyplot
+
+from repro.plot import looks, style
 from repro.plot.looks import LOOKS, RESERVE, look
 from tests.conftest import catalogue
 
@@ -44,3 +48,14 @@ def test_a_filter_that_a_readers_parameter_file_ranks_has_a_reserved_look():
 
 def test_what_uses_no_measurement_is_dashed():
     assert [look(name, ())["linestyle"] for name in looks.BASELINES] == ["--", "--"]
+
+
+@pytest.mark.parametrize("curves", [[[0, 0, 0]], [[np.nan, np.nan]], [[0, 1, 2], [1e30, 1e31]], []])
+def test_an_axis_of_errors_takes_zeros_gaps_and_divergence(curves):
+    drawn, axes = style.figure()
+    for curve in curves:
+        axes.plot(range(len(curve)), curve)
+    style.error_axis(axes, "y")
+    drawn.canvas.draw()
+    assert axes.get_ylim()[1] < 1e6
+    pyplot.close(drawn)

@@ -141,7 +141,7 @@ def _curve(axes: Axes, results: Results, filter_: str, x: Any, y: Any, offset: f
     """A filter's line, with a few markers: `offset`, from 0 to 1, keeps those of others apart."""
     step = max(len(y) // MARKERS, 1)
     label = style.label(filter_)
-    if not np.any(np.asarray(x) > 0) or not np.any(np.asarray(y) > 0):
+    if np.all(np.asarray(x) == 0) or np.all(np.asarray(y) == 0):
         label += " (error 0)"  # not on a logarithmic axis
     axes.plot(
         x,

@@ -110,7 +110,7 @@ def number_axis(axes: Axes, values: Sequence[float], which: str) -> None:
 def _scale(axes: Axes, low: float, high: float, which: str) -> None:
     if high < 4 * low:
         return
-    if high < 1e3 * low:
+    if high < (1e3 if which == "y" else 60) * low:  # numbers need more room side by side
         plain_log(axes, which)
     else:
         axes.set(**{f"{which}scale": "log"})
