@@ -6,7 +6,7 @@ indicator: `k` (as printed, one step before the packet), or `k+1` (of the packet
 """
 
 from types import SimpleNamespace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -34,7 +34,7 @@ def build(model: Model, settings: RealisedIndicators) -> Filter:
         return State(inner.init(streams), np.zeros(len(streams)))
 
     def step(state, k, seen):
-        seen_by_emvf = SimpleNamespace(
+        seen_by_emvf: Any = SimpleNamespace(
             received=seen.received,
             sensor=seen.sensor,
             earlier_sensors=seen.earlier_sensors,

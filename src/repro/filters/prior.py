@@ -21,7 +21,10 @@ def build(model: LinearModel | Model | SensorNetwork, settings: dict) -> Filter:
             return np.matvec(model.transition_matrix(k), mean)
 
     else:
-        moved = model.transition
+
+        def moved(mean: np.ndarray, k: int) -> np.ndarray:
+            return model.transition(mean, k)
+
     return Filter(
         init=lambda streams: np.tile(model.initial_mean, (len(streams), 1)),
         step=lambda mean, k, seen: moved(mean, k - 1) if k > 0 else mean,

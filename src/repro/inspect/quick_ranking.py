@@ -49,7 +49,7 @@ def quick_ranking(
             found[rival] = ranked(squared, share)
         table = pd.DataFrame(rank_rows(found, ranking, [filter_], tolerance))
         tables.append(table.assign(point=name))
-    return pd.concat(tables).set_index("point")[COLUMNS]
+    return pd.DataFrame(pd.concat(tables).set_index("point")[COLUMNS])
 
 
 def _chosen(points: dict[str, Point], study: str, point: str | None) -> dict[str, Point]:

@@ -2,6 +2,7 @@
 
 from itertools import product
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 
@@ -249,7 +250,7 @@ def no_coupling_limit(results: Results) -> list[Part]:
             Streams(log.seed, "claims", "filter:limits", log.trials[tested].tolist())
         )
         for k in range(1, analysis.identity_steps + 1):
-            seen = SimpleNamespace(**channels.at(k, filter_.mean(state)))
+            seen: Any = SimpleNamespace(**channels.at(k, filter_.mean(state)))
             state = filter_.step(state, k, seen)
         estimates.append(filter_.mean(state))
     comparison = f"difference of estimates at step {analysis.identity_steps}"

@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+from repro import plugins
+from repro.studies.families.harvesting_sensors import HarvestingStudy
 from repro.tables.results import Results
 
 PROPOSED = "pf_ross_eh"
@@ -31,3 +33,10 @@ class Sweep(NamedTuple):
 SATURATIONS = Sweep("saturation_probability", ("base", "gamma=0.5", "gamma=0.8"))
 SENSORS = Sweep("sensors", ("sensors=2", "base", "sensors=6"))
 HARVESTS = Sweep("harvest_transition", ("base", "harvest=pi_2"), matrices=("Pi_1", "Pi_2"))
+
+
+def study_of(name: str) -> HarvestingStudy:
+    """The study of a name, which must be one of this paper."""
+    study = plugins.study(name)
+    assert isinstance(study, HarvestingStudy)
+    return study

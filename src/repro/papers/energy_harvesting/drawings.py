@@ -7,7 +7,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from repro import plugins
 from repro.network import energy_harvesting
 from repro.network.energy_harvesting import TransmissionRule
 from repro.papers.energy_harvesting.compared import (
@@ -15,6 +14,7 @@ from repro.papers.energy_harvesting.compared import (
     PROPOSED,
     SWEPT_STUDY,
     Sweep,
+    study_of,
 )
 from repro.papers.energy_harvesting.symbols import SYMBOLS
 from repro.plot import style
@@ -107,7 +107,7 @@ def prediction(
     study: str, parameters: SignalStrengthParameters, component: str, k: np.ndarray
 ) -> np.ndarray:
     """RMSE(k) of x(0) predicted without data, from the variance of the process noise (31)."""
-    of_study = plugins.study(study)
+    of_study = study_of(study)
     assert isinstance(of_study, harvesting_sensors.HarvestingStudy)
     axes = len(of_study.components[component])
     time = k * parameters.sampling_time

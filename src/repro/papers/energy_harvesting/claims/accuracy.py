@@ -1,6 +1,5 @@
 """Claims about the accuracy of PF-ROSS-EH [energy_harvesting Figs. 2 and 6-13]."""
 
-from repro import plugins
 from repro.papers.energy_harvesting.claims.comparisons import (
     FilterAt,
     best_of,
@@ -17,6 +16,7 @@ from repro.papers.energy_harvesting.compared import (
     RIVALS,
     SATURATIONS,
     SENSORS,
+    study_of,
 )
 from repro.tables.results import Results
 from repro.verdicts.claims import Claim, Part, claim
@@ -68,7 +68,7 @@ def ideal_is_best(results: Results) -> list[Part]:
 )
 def approaches_ideal(results: Results) -> list[Part]:
     parts, study = [], "rss_2d"
-    for component in plugins.study(study).components:
+    for component in study_of(study).components:
         for other in RIVALS:
             filters = [FilterAt("base", name) for name in (PROPOSED, IDEAL, other)]
             errors = [squared(results, study, filter_at, component) for filter_at in filters]

@@ -11,8 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from repro import plugins
-from repro.papers.energy_harvesting.compared import PROPOSED, SWEPT_STUDY, Sweep
+from repro.papers.energy_harvesting.compared import PROPOSED, SWEPT_STUDY, Sweep, study_of
 from repro.statistics import metrics
 from repro.statistics.shards import Columns
 from repro.studies.families import harvesting_sensors
@@ -30,13 +29,13 @@ class FilterAt(NamedTuple):
 
 def squared(results: Results, study: str, filter_at: FilterAt, component: str) -> Columns:
     """Squared errors of every run at k = 1 ... K."""
-    axes = plugins.study(study).components[component]
+    axes = study_of(study).components[component]
     return harvesting_sensors.squared_after_start(results.in_shards(study, *filter_at), axes)
 
 
 def lost(results: Results, study: str, *filters: FilterAt) -> np.ndarray:
     """Which trials at least one of these loses, (trials,)."""
-    scenario, analysis = plugins.study(study), results.analysis(study)
+    scenario, analysis = study_of(study), results.analysis(study)
     each = [results.each(study, *f, lambda runs: scenario.lost(runs, analysis)) for f in filters]
     return np.any([np.asarray(flags) for flags in each], axis=0)
 
@@ -63,7 +62,7 @@ def better(
         combination(f"{name}, all runs", (1, -1), errors),
         most(f"{name}, run by run", np.less(*(error.mean_over_steps() for error in errors))),
     ]
-    if not isinstance(plugins.study(study), SignalStrengthStudy):
+    if not isinstance(study_of(study), SignalStrengthStudy):
         return parts  # there is no target to lose
     kept = ~lost(results, study, first, second)
     if kept.sum() < results.analysis(study).fewest_compared:
@@ -77,7 +76,7 @@ def best_of(results: Results, study: str, first: str, others: Iterable[str]) -> 
     """The filter `first` is more accurate than each of the others in every component."""
     return [
         part
-        for component in plugins.study(study).components
+        for component in study_of(study).components
         for other in others
         for part in better(
             results,
@@ -96,7 +95,7 @@ def ordered(results: Results, sweep: Sweep, rising: bool = True) -> list[Part]:
     values = sweep.values(results)
     return [
         part
-        for component in plugins.study(SWEPT_STUDY).components
+        for component in study_of(SWEPT_STUDY).components
         for low, high in pairwise(points)
         for part in better(
             results,

@@ -1,8 +1,7 @@
 """Claims that ignoring both impairments is worst [energy_harvesting Sec. IV-B, an expectation]."""
 
-from repro import plugins
 from repro.papers.energy_harvesting.claims.comparisons import FilterAt, better
-from repro.papers.energy_harvesting.compared import PAPERS_FILTERS
+from repro.papers.energy_harvesting.compared import PAPERS_FILTERS, study_of
 from repro.tables.results import Results
 from repro.verdicts.claims import Claim, Part, claim
 
@@ -40,7 +39,7 @@ def ignoring_is_worst(results: Results, study: str) -> list[Part]:
     """SPF is less accurate than each of the other filters, in the mean and run by run."""
     return [
         part
-        for component in plugins.study(study).components
+        for component in study_of(study).components
         for other in PAPERS_FILTERS
         if other != "spf"
         for part in better(
