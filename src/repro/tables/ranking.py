@@ -14,6 +14,7 @@ from repro.statistics.paired import decided
 from repro.statistics.shards import Columns
 from repro.tables.csv_file import write_csv
 from repro.tables.results import Results
+from repro.tables.study_tables import share_lost
 
 SHARES = np.linspace(0.0, 1.0, 101)  # of the runs, at which the distribution of errors is kept
 
@@ -90,10 +91,7 @@ def tabulate_ranking(results: Results, study: str, table: str, over_k: str, shar
         for name in names:
             shards = results.in_shards(study, point, name)
             squared = shards.each(scenario.squared_error)
-            share = np.nan
-            if scenario.lost(shards.first, analysis) is not None:
-                share = float(shards.each(lambda runs: scenario.lost(runs, analysis)).mean())
-            filters[name] = ranked(squared, share)
+            filters[name] = ranked(squared, share_lost(scenario, analysis, shards))
             where = {"study": study, "point": point, "filter": name}
             statistic = metrics.root_mean(squared)
             # The steps that count end with the last; a study may leave out the first.

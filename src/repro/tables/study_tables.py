@@ -21,7 +21,7 @@ def tabulate(results: Results, study: str, table: str | Path, curves: str | Path
         for filter_ in filters:
             shards = results.in_shards(study, point, filter_)
             degenerate = shards.each(lambda runs: runs.degenerate).mean()
-            lost = _share_lost(scenario, analysis, shards)
+            lost = share_lost(scenario, analysis, shards)
             where = {"study": study, "point": point, "filter": filter_}
             for metric, component, statistic in scenario.rows(shards, analysis):
                 rows.append(
@@ -46,7 +46,7 @@ def tabulate(results: Results, study: str, table: str | Path, curves: str | Path
     write_csv(pd.concat(over_k), curves)
 
 
-def _share_lost(study: Study, analysis: Any, shards: Shards) -> float:
+def share_lost(study: Study, analysis: Any, shards: Shards) -> float:
     """Share of the runs that lost their target; NaN where a study has none to lose."""
     if study.lost(shards.first, analysis) is None:
         return np.nan

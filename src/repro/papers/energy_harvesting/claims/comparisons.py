@@ -36,7 +36,10 @@ def squared(results: Results, study: str, filter_at: FilterAt, component: str) -
 def lost(results: Results, study: str, *filters: FilterAt) -> np.ndarray:
     """Which trials at least one of these loses, (trials,)."""
     scenario, analysis = study_of(study), results.analysis(study)
-    each = [results.each(study, *f, lambda runs: scenario.lost(runs, analysis)) for f in filters]
+    each = [
+        results.each(study, *f, lambda runs: np.asarray(scenario.lost(runs, analysis)))
+        for f in filters
+    ]
     return np.any([np.asarray(flags) for flags in each], axis=0)
 
 
