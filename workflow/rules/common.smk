@@ -18,7 +18,7 @@ from repro.atomic import check_writable
 from repro.errors import ReproError
 from repro.layout import Layout
 from repro.parameters.load import check_shards, load_paper, load_run, on_request
-from repro.workflow.code import code_digest, constants
+from repro.workflow.code import code_digest, code_files, constants
 from repro.workflow.lock import hold
 from repro.workflow.registry import Registry
 
@@ -93,14 +93,17 @@ def code(*modules):
     """Parameter: the code that the modules reach, the study's with it; wildcards are filled in.
 
     A digest, not input files: some thirty a job would cost the scheduler more than the jobs take.
+    A module that does not exist ends Snakemake in one line.
     """
+    or_exit(code_files, *(module for module in modules if "{" not in module))
 
     def digest(wildcards):
-        found = dict(wildcards.items())
-        study = [f"repro.studies.{found['study']}"] if "study" in found else []
-        reached = (module.format(**found) for module in modules)
-        return code_digest("repro.workflow.job", *reached, *study)
+        values = dict(wildcards.items())
+        study = [f"repro.studies.{values['study']}"] if "study" in values else []
+        reached = (module.format(**values) for module in modules)
+        return or_exit(code_digest, "repro.workflow.job", *reached, *study)
 
+    digest.modules = modules
     return digest
 
 

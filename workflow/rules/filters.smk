@@ -294,4 +294,4 @@ for study, names in LISTED.items():
             "../scripts/run_filter.py"
 
 
-REGISTRY.read_settings(workflow.rules)
+or_exit(REGISTRY.read_settings, workflow.rules)

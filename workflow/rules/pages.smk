@@ -154,9 +154,12 @@ rule user_log:
             "study": user_log("study"),
             "point": user_log("point"),
             "parameters": user_log_point().parameters.plain(),
-            "settings": user_log_point().filters.get(wildcards.filter, {}),
+            "settings": REGISTRY.settings(
+                wildcards.filter, user_log("study"), user_log("point")
+            ),
         },
-        code=lambda wildcards: code_digest(
+        code=lambda wildcards: or_exit(
+            code_digest,
             "repro.inspect.user_log",
             f"repro.filters.{wildcards.filter}",
             f"repro.studies.{user_log('study')}",
@@ -174,6 +177,7 @@ rule catalogue:
         ENVIRONMENT
     params:
         filters=REGISTRY.catalogue(*STUDIES, requested=True),
+        settings=REGISTRY.all_settings(*STUDIES),
         code=code("repro.workflow.registry"),
     script:
         "../scripts/catalogue.py"

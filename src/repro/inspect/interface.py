@@ -16,6 +16,7 @@ from repro.errors import ReproError
 from repro.logs import Log
 from repro.network.channels import Recorded
 from repro.parameters.load import Paper, Point, load_paper, load_run
+from repro.parameters.settings import typed_settings
 from repro.runner import build
 from repro.runner import run as run_on_log
 from repro.runner.block import Block
@@ -127,7 +128,7 @@ def estimate(
     """
     name, module = plugins.named_filter(filter_)
     task = Task(name, "plain arrays")
-    built = build(task, module, model, dict(settings or {}))
+    built = build(task, module, model, typed_settings(module, name, settings or {}, str(task)))
     given = {"received": received, "arrival": arrival, **channels}
     arrays = {
         key: np.asarray(value, dtype=float) for key, value in given.items() if value is not None
