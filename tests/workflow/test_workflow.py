@@ -9,31 +9,13 @@ import time
 import tomllib
 from itertools import chain
 
-import numpy as np
 import pytest
 import yaml
 
 from tests.conftest import ROOT
+from tests.workflow.test_pages import jobs_of
 
 TABLE = "results/tables/linear_delays.csv"
-
-
-def example(page: str) -> list[str]:
-    """The filter and the rule that a page shows, so that a test runs them."""
-    return re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)
-
-
-def add_filter(project, page: str, name: str) -> None:
-    module, rule = example(page)
-    (project.folder / f"src/repro/filters/{name}.py").write_text(module)
-    with (project.folder / "workflow/rules/filters.smk").open("a") as rules:
-        rules.write(f"\n\n{rule}")
-
-
-def jobs_of(output: str) -> dict[str, int]:
-    """Job counts of Snakemake's table of a dry run."""
-    lines = output.split("Job stats:")[1].split("\n\n")[0].splitlines()[3:]
-    return {name: int(count) for name, count in (line.split() for line in lines) if name != "total"}
 
 
 def test_lint_is_clean(project):
@@ -96,34 +78,6 @@ def test_tables_do_not_depend_on_shards(trimmed):
         assert len(written) == 2
         tables.append(list(written.values()))
     assert tables[0] == tables[1] == tables[2]
-
-
-def test_a_filter_is_one_file_and_one_rule(trimmed):
-    """It appears in table and figure; only its own jobs and what depends on them run."""
-    figure = "figures/packet_delays/fig01.png"
-    trimmed.snakemake(TABLE, figure, "--config", "trials=4")
-    before = (trimmed.folder / figure).read_bytes()
-    add_filter(trimmed, "README.md", "mine")
-    planned = jobs_of(trimmed.snakemake("-n", TABLE, figure, "--config", "trials=4"))
-    assert planned == {"mine": 2, "table": 1, "figure": 1}
-    trimmed.snakemake(TABLE, figure, "--config", "trials=4")
-    assert ",mine,rmse,x1," in (trimmed.folder / TABLE).read_text()
-    assert (trimmed.folder / figure).read_bytes() != before
-
-
-def test_the_worked_example_runs_and_is_the_kalman_filter_where_it_must(trimmed):
-    """docs/add-a-filter.md: in the linear study an unscented filter is the IKF."""
-    add_filter(trimmed, "docs/add-a-filter.md", "ukf")
-    runs = [
-        f"results/runs/{study}/loss=0.3/{name}/0.npz"
-        for study in ("linear_losses", "radar")
-        for name in ("ukf", "iekf")
-    ]
-    trimmed.snakemake(*runs, "--config", "trials=4")
-    ukf, ikf = (np.load(trimmed.folder / path)["error"] for path in runs[:2])
-    np.testing.assert_allclose(ukf, ikf, atol=1e-9)
-    planned = jobs_of(trimmed.snakemake("-n", "results/diff.csv", "--config", "trials=4"))
-    assert planned["ukf"] == 10 + 6 - 2  # every point loss=... of both studies, less those there
 
 
 def test_an_edit_reruns_what_depends_on_it(trimmed):

@@ -42,10 +42,10 @@ def rank_rows(
     """
     rivals = [name for name in filters if name in ranking.papers] or list(filters)
     best = min(rivals, key=lambda name: filters[name].error.value)
-    for name, own in sorted(filters.items(), key=lambda item: item[1].error.value):
-        statistic = metrics.statistic(own.error)
-        difference = own.error.value - filters[best].error.value
-        left_out = own.error.left_out - filters[best].error.left_out
+    for name, at in sorted(filters.items(), key=lambda item: item[1].error.value):
+        statistic = metrics.statistic(at.error)
+        difference = at.error.value - filters[best].error.value
+        left_out = at.error.left_out - filters[best].error.left_out
         error = float(metrics.jackknife_error(left_out))
         yield {
             "filter": name,
@@ -55,10 +55,10 @@ def rank_rows(
             "median": statistic.median,
             "q10": statistic.q10,
             "q90": statistic.q90,
-            "trials": own.trials,
-            "lost": own.lost,
-            "relative_to_informed": _relative(own, filters.get(ranking.informed or "")),
-            "relative_to_nothing": _relative(own, filters.get(ranking.nothing or "")),
+            "trials": at.trials,
+            "lost": at.lost,
+            "relative_to_informed": _relative(at, filters.get(ranking.informed or "")),
+            "relative_to_nothing": _relative(at, filters.get(ranking.nothing or "")),
             "best_of_paper": best,
             "difference": difference,
             "difference_mcse": error,
