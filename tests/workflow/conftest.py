@@ -81,12 +81,11 @@ class Project:
         with self._families(paper, study) as families:
             del families[1:]
 
-    def keep_values(self, paper: str, study: str, family: str, values: list[float]) -> None:
-        """Leave a swept family a few values of its one sweep."""
+    def keep_values(self, paper: str, study: str, **values: list[float]) -> None:
+        """Leave the first family of a study a few values of its sweep."""
         with self._families(paper, study) as families:
-            (found,) = (f for f in families if f["name"] == family)
-            (key,) = found["sweep"]
-            found["sweep"] = {key: values}
+            assert families[0]["sweep"].keys() == values.keys()
+            families[0]["sweep"] = values
 
     def keep_families(self, paper: str, study: str, beginnings: list[str]) -> None:
         """Leave a study only the families whose names begin so."""

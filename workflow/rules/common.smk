@@ -17,7 +17,7 @@ os.environ.update(MALLOC_TRIM_THRESHOLD_="268435456", MALLOC_MMAP_THRESHOLD_="26
 from repro.atomic import check_writable
 from repro.errors import ReproError
 from repro.layout import Layout
-from repro.parameters.load import check_shards, load_paper, load_run, on_request
+from repro.parameters.load import check_shards, first_of_families, load_paper, load_run, on_request
 from repro.workflow.code import code_digest, code_files, constants
 from repro.workflow.lock import hold
 from repro.workflow.registry import Registry
@@ -53,7 +53,10 @@ or_exit(check_shards, STUDIES, RUN.shards)
 LAYOUT, FIGURES = Layout(Path(RUN.into, "results")), str(Path(RUN.into, "figures"))
 or_exit(check_writable, LAYOUT.root)
 or_exit(check_writable, FIGURES)
-REGISTRY = Registry(LAYOUT, STUDIES, RUN.shards)
+# With one point of each family there is nothing to compare: no claims, no diff.
+SMOKE = RUN.one_point_per_family
+LEFT_OUT = {study: points.keys() - first_of_families(points) for study, points in STUDIES.items()}
+REGISTRY = Registry(LAYOUT, STUDIES, RUN.shards, LEFT_OUT if SMOKE else None)
 # Filters that some parameter file ranks; all others are a reader's own.
 RANKED = {
     f for paper in PAPERS.values() for ranking in paper.ranking.values() for f in ranking.known()
@@ -150,8 +153,19 @@ def figure_files():
     return [
         f"{FIGURES}/{path.parent.name}/{path.stem}.png"
         for path in sorted(Path("figures").glob("*/*.py"))
-        if not needs(path.parent.name, path.stem).get("on_request")
+        if is_drawn(needs(path.parent.name, path.stem))
     ]
+
+
+def is_drawn(needed):
+    """Whether a figure is part of a run; in a smoke run only if all of its points run."""
+    if needed.get("on_request"):
+        return False
+    if not SMOKE:
+        return True
+    points = needed.get("points", {})
+    ran = REGISTRY.catalogue(*points)
+    return not needed.get("diff") and all(ran[s].keys() >= {*points[s]} for s in points)
 
 
 def figure_inputs(wildcards):
@@ -210,6 +224,12 @@ def commit():
 
 def print_tally():
     """The verdicts at a glance, at the end of a run."""
+    if SMOKE:
+        print(
+            "Smoke run: the first point of each family, few trials; no claims, and no figures that "
+            "compare points.\nEverything: snakemake -j2"
+        )
+        return
     tally = Path(LAYOUT.page("tally.txt"))
     if tally.exists():
         print(tally.read_text(), end="")

@@ -42,10 +42,10 @@ def rank_rows(
     """
     rivals = [name for name in filters if name in ranking.papers] or list(filters)
     best = min(rivals, key=lambda name: filters[name].error.value)
-    for name, at in sorted(filters.items(), key=lambda item: item[1].error.value):
-        statistic = metrics.statistic(at.error)
-        difference = at.error.value - filters[best].error.value
-        left_out = at.error.left_out - filters[best].error.left_out
+    for name, of_filter in sorted(filters.items(), key=lambda item: item[1].error.value):
+        statistic = metrics.statistic(of_filter.error)
+        difference = of_filter.error.value - filters[best].error.value
+        left_out = of_filter.error.left_out - filters[best].error.left_out
         error = float(metrics.jackknife_error(left_out))
         yield {
             "filter": name,
@@ -55,10 +55,10 @@ def rank_rows(
             "median": statistic.median,
             "q10": statistic.q10,
             "q90": statistic.q90,
-            "trials": at.trials,
-            "lost": at.lost,
-            "relative_to_informed": _relative(at, filters.get(ranking.informed or "")),
-            "relative_to_nothing": _relative(at, filters.get(ranking.nothing or "")),
+            "trials": of_filter.trials,
+            "lost": of_filter.lost,
+            "relative_to_informed": _relative(of_filter, filters.get(ranking.informed or "")),
+            "relative_to_nothing": _relative(of_filter, filters.get(ranking.nothing or "")),
             "best_of_paper": best,
             "difference": difference,
             "difference_mcse": error,
@@ -72,8 +72,11 @@ def _whose(name: str, ranking: Ranking, own: Iterable[str]) -> str:
     return "own" if name in own else "reference"
 
 
-def _relative(own: Ranked, reference: Ranked | None) -> float:
-    return np.nan if reference is None else own.error.value / reference.error.value
+def _relative(of_filter: Ranked, reference: Ranked | None) -> float:
+    """Ratio of the errors; NaN without a reference, or where the reference has no error."""
+    if reference is None or reference.error.value == 0.0:
+        return np.nan
+    return of_filter.error.value / reference.error.value
 
 
 def tabulate_ranking(results: Results, study: str, table: str, over_k: str, shares: str) -> None:

@@ -46,8 +46,18 @@ def _matches(point: str, patterns: Patterns) -> bool:
 class Registry:
     """The filters of every point, and the files that their jobs write."""
 
-    def __init__(self, layout: Layout, points: Mapping[str, Mapping[str, Point]], shards: int):
-        """`points` are each study's points by name; `shards` the jobs of each point."""
+    def __init__(
+        self,
+        layout: Layout,
+        points: Mapping[str, Mapping[str, Point]],
+        shards: int,
+        left_out: Mapping[str, Collection[str]] | None = None,
+    ):
+        """`points` are each study's points by name; `shards` the jobs of each point.
+
+        On points that are `left_out`, by study, no filter runs, though rules may name them.
+        """
+        self._left_out = left_out or {}
         self._layout, self._shards = layout, range(shards)
         self._filters: Catalogue = {
             study: {p: [] for p in named} for study, named in points.items()
@@ -78,6 +88,8 @@ class Registry:
                     f"filter {name}: no point of {study} matches {points}; fix the pattern"
                 )
             for point in matching:
+                if point in self._left_out.get(study, ()):
+                    continue
                 if name in self._filters[study][point]:
                     raise ReproError(
                         f"filter {name}: two rules run it on {study}, point {point}; "
