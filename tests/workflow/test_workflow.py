@@ -23,7 +23,7 @@ def test_lint_is_clean(project):
 
 
 def test_a_paper_runs_end_to_end(project):
-    """The smoke profile on one paper; a second run has nothing to do.
+    """One paper with few trials; a second run has nothing to do.
 
     CI runs all papers with all trials, up to diff, manifest and tally, before these tests.
     """
@@ -31,9 +31,21 @@ def test_a_paper_runs_end_to_end(project):
     written = ["claims/packet_delays.csv", "tables/packet_example.csv", "parameters.csv"]
     targets = [f"smoke/figures/packet_delays/{name}.png" for name in drawn]
     targets += [f"smoke/results/{name}" for name in written]
-    project.snakemake(*targets, "--profile", "profiles/smoke")
-    assert "Nothing to be done" in project.snakemake(*targets, "--profile", "profiles/smoke")
+    few = ("--config", "trials=6", "into=smoke")
+    project.snakemake(*targets, *few)
+    assert "Nothing to be done" in project.snakemake(*targets, *few)
     assert all((project.folder / target).stat().st_size > 0 for target in targets)
+
+
+def test_a_smoke_run_is_one_point_of_each_family(project):
+    """The whole graph but claims and diff; every filter that is registered runs."""
+    profile = ("--profile", "profiles/smoke")
+    planned = jobs_of(project.snakemake("-n", *profile))
+    everything = jobs_of(project.snakemake("-n", "--config", "trials=6", "into=smoke"))
+    assert everything.keys() - planned.keys() == {"claims", "diff"}
+    assert sum(planned.values()) < 0.5 * sum(everything.values())
+    output = project.snakemake("smoke/results/parameters.csv", *profile)
+    assert "Everything: snakemake -j2" in output
 
 
 def test_a_rebuild_is_byte_identical(trimmed):
@@ -49,7 +61,7 @@ def test_a_rebuild_is_byte_identical(trimmed):
 def test_the_same_command_resumes_a_killed_run(trimmed):
     """SIGKILL at three random moments: of Snakemake alone, whose jobs live on, and of all."""
     command = (f"smoke/{TABLE}", "smoke/figures/packet_delays/fig01.png")
-    command += ("--profile", "profiles/smoke")
+    command += ("--config", "trials=6", "into=smoke")
     results = [f"smoke/results/**/[!.]*.{kind}" for kind in ("mcap", "npz", "csv")]
     results += ["smoke/figures/*/*.png"]
     begun = time.monotonic()
