@@ -153,9 +153,7 @@ rule user_log:
             "study": user_log("study"),
             "point": user_log("point"),
             "parameters": user_log_point().parameters.plain(),
-            "settings": REGISTRY.settings(
-                wildcards.filter, user_log("study"), user_log("point")
-            ),
+            "settings": REGISTRY.settings(wildcards.filter, user_log("study"), user_log("point")),
         },
         code=lambda wildcards: or_exit(
             code_digest,
