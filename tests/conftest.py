@@ -6,6 +6,7 @@ import sys
 import tempfile
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -26,8 +27,8 @@ def points() -> dict[str, dict[str, Point]]:
 
 
 @cache
-def catalogue() -> Catalogue:
-    """The filters of every point, as the rules register them."""
+def _registration() -> dict[str, Any]:
+    """What results/catalogue.json has: the filters of every point and their settings."""
     with tempfile.TemporaryDirectory() as folder:
         written = f"{folder}/results/catalogue.json"
         subprocess.run(
@@ -37,6 +38,16 @@ def catalogue() -> Catalogue:
             check=True,
         )
         return json.loads(Path(written).read_text())
+
+
+def catalogue() -> Catalogue:
+    """The filters of every point, as the rules register them."""
+    return _registration()["filters"]
+
+
+def settings(study: str, point: str, filter_: str) -> dict[str, Any]:
+    """Settings of a filter at a point, as its rule gives them, else from params/."""
+    return _registration()["settings"][study][point][filter_]
 
 
 def registered() -> list[tuple[str, str, str]]:

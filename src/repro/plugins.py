@@ -1,5 +1,6 @@
 """Studies and filters are found by the names of their modules: one file each, no list to add to."""
 
+import traceback
 from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -33,12 +34,23 @@ def _member(kind: str, dotted: str, needed: tuple[str, ...]) -> ModuleType:
     name, file = dotted.rsplit(".", 1)[1], f"src/{dotted.replace('.', '/')}.py"
     try:
         module = import_module(dotted)
-    except ModuleNotFoundError as error:
-        if error.name != dotted:
-            raise
-        raise ReproError(f"{kind} {name}: there is no {file}") from None
+    except ReproError:
+        raise
+    except Exception as error:
+        if isinstance(error, ModuleNotFoundError) and error.name == dotted:
+            raise ReproError(f"{kind} {name}: there is no {file}") from None
+        raise _broken(f"{kind} {name}: {file}", error) from error
     _check(f"{kind} {name}: {file}", module, needed)
     return module
+
+
+def _broken(where: str, error: Exception) -> ReproError:
+    """The fault of a module that cannot be imported, with its own part of the traceback."""
+    fault = ReproError(f"{where}: {type(error).__name__}: {error}")
+    frames = traceback.extract_tb(error.__traceback__)
+    own = [f for f in frames if f.filename != __file__ and "importlib" not in f.filename]
+    fault.details = "".join(traceback.format_list(own))
+    return fault
 
 
 def _check(where: str, module: Any, needed: tuple[str, ...]) -> None:

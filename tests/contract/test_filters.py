@@ -6,14 +6,14 @@ import pytest
 from repro import plugins
 from repro.network.channels import ALWAYS_SEEN
 from repro.runner import run
-from tests.conftest import points, registered, small_log
+from tests.conftest import registered, settings, small_log
 
 FILTERS = [pytest.param(*entry, id=f"{entry[0]}-{entry[1]}") for entry in registered()]
 CHANGED_AFTER = 6
 
 
 def estimate(log, name, point):
-    return run(log, name, points()[log.study][point].filters.get(name, {}))[0]
+    return run(log, name, settings(log.study, point, name))[0]
 
 
 @pytest.mark.parametrize(("name", "study", "point"), FILTERS)

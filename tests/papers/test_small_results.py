@@ -1,26 +1,33 @@
 """Claims, pages, figures and views of every paper on a few trials.
 
-They run here for the first time, and not at the end of the long build.
+They run here for the first time, and not at the end of the long build. Two filters of a reader's
+own run with the registered ones. They have only what a filter must have: init, step and mean.
 """
 
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType
 from typing import NamedTuple
 
+import numpy as np
 import pandas as pd
 import pytest
 
 from repro import plugins
+from repro.filters import Filter
 from repro.inspect.view import write_view
 from repro.pages.assumptions import write_assumptions
+from repro.pages.leaderboard import write_leaderboard
 from repro.pages.verdicts import write_diff
 from repro.parameters.load import Paper, load_paper, load_run, on_request
+from repro.plot import study_figures, style
 from repro.plot.draw import draw
 from repro.runner import run_filter
 from repro.simulate import simulate
 from repro.studies import ClosedLoop
+from repro.tables.ranking import tabulate_ranking
 from repro.tables.results import Results
 from repro.tables.study_tables import tabulate
 from repro.verdicts.claims import decide
@@ -32,6 +39,36 @@ TRIALS = 3
 MOST_STEPS = 500  # reached by the quadrotor alone, which flies the beginning of its path
 RUN = load_run(ROOT / "params/run.yaml", {})
 PAPERS = sorted(path.stem for path in (ROOT / "params").glob("*.yaml") if path.stem != "run")
+
+
+EVERYWHERE, SOMEWHERE = "own_everywhere", "own_somewhere"
+
+
+def own_filter(name: str) -> ModuleType:
+    """The smallest filter there is: it stays where it began, a little off the mean."""
+    module = ModuleType(f"repro.filters.{name}")
+    module.LABEL, module.SEES = f"a reader's {name}", ("received",)
+    offset = 0.01 if name == EVERYWHERE else 0.02
+
+    def init_of(model):
+        return lambda streams: np.tile(model.initial_mean, (len(streams), 1)) + offset
+
+    def step(state, k, seen):
+        assert len(seen.received) == len(state)
+        return state
+
+    module.build = lambda model, settings: Filter(init_of(model), step, mean=lambda state: state)
+    return module
+
+
+def with_own(points: dict[str, list[str]], families: dict[str, str]) -> dict[str, list[str]]:
+    """The filters by point with both of the reader's own: one on every second point of a family."""
+    seen: dict[str, int] = {}
+    named = {}
+    for point, filters in points.items():
+        number = seen[families[point]] = seen.get(families[point], -1) + 1
+        named[point] = [*filters, EVERYWHERE, *([SOMEWHERE] if number % 2 else [])]
+    return named
 
 
 SCRIPTS = [
@@ -78,17 +115,24 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> Build:
     def build(name: str) -> Small:
         paper = load_paper(ROOT / f"params/{name}.yaml")
         points = {
-            study: {p: filters for p, filters in catalogue()[study].items() if not on_request(p)}
-            for study in paper.studies
+            study: with_own(
+                {p: filters for p, filters in catalogue()[study].items() if not on_request(p)},
+                {p: at.family for p, at in of_study.items()},
+            )
+            for study, of_study in paper.studies.items()
         }
+        own = (EVERYWHERE, SOMEWHERE)
+        for filter_ in own:
+            sys.modules[f"repro.filters.{filter_}"] = own_filter(filter_)
         folder = tmp_path_factory.mktemp(name)
         described = {study: paper.described(study) for study in paper.studies}
-        results = Results(folder / "results", points, 1, described, (), RUN.tolerance)
+        results = Results(folder / "results", points, 1, described, own, RUN.tolerance)
         for study, of_study in points.items():
             for point, filters in of_study.items():
                 run_point(results, paper, study, point, filters)
             table, curves = results.layout.table(study), results.layout.curves(study)
             tabulate(results, study, created(table), created(curves))
+            tabulate_ranking(results, study, *map(created, ranking_files(results, study)))
         compute([results.layout.table(table) for table in computed_tables(paper)], folder)
         return Small(paper, results)
 
@@ -134,6 +178,12 @@ def run_point(results: Results, paper: Paper, study: str, point: str, filters: l
         )
 
 
+def ranking_files(results: Results, study: str) -> list[str]:
+    """Where a study's ranking, its errors over k and their shares are."""
+    layout = results.layout
+    return [layout.ranking(study), layout.error_over_k(study), layout.error_shares(study)]
+
+
 def created(path: str) -> str:
     """The path, with its folder created."""
     Path(path).parent.mkdir(parents=True, exist_ok=True)
@@ -172,6 +222,32 @@ def test_tables_have_every_filter_of_every_point(name, small):
 
 
 @pytest.mark.parametrize("name", PAPERS)
+def test_the_leaderboard_has_every_filter_and_knows_a_readers_own(name, small, tmp_path):
+    built = small(name)
+    rankings = [built.results.layout.ranking(study) for study in built.paper.studies]
+    write_leaderboard(rankings, str(tmp_path / "board.csv"))
+    board = pd.read_csv(tmp_path / "board.csv")
+    assert set(board.loc[board["whose"] == "own", "filter"]) >= {EVERYWHERE}
+    for study, points in built.results.catalogue.items():
+        rows = board[board["study"] == study]
+        ranked = set(zip(rows["point"], rows["filter"], strict=True))
+        assert ranked == {(point, f) for point, filters in points.items() for f in filters}
+
+
+@pytest.mark.parametrize("kind", ["over_k", "over_sweep", "distribution"])
+@pytest.mark.parametrize("name", PAPERS)
+def test_the_figures_that_every_study_has(name, kind, small):
+    built = small(name)
+    labels = set()
+    for study in built.paper.studies:
+        figure = getattr(study_figures, kind)(built.results, study)
+        labels |= {text.get_text() for legend in figure.legends for text in legend.get_texts()}
+        style.pyplot.close(figure)
+    if kind != "over_sweep" or labels:  # a paper may have no sweep
+        assert any(label.startswith(style.label(EVERYWHERE)) for label in labels)
+
+
+@pytest.mark.parametrize("name", PAPERS)
 def test_claims_are_decided_and_every_published_row_has_a_verdict(name, judged):
     results = judged(name).results
     assert set(results.claims(name)["verdict"]) <= set(VERDICTS["claim"])
@@ -205,8 +281,13 @@ def test_the_page_of_assumptions(name, small):
 def test_every_figure_is_drawn(script, small, judged, monkeypatch, tmp_path):
     monkeypatch.chdir(ROOT)  # figures name the files of params/measured from there
     folder = script.parent.name
-    needed = judged if constants(str(script))["NEEDS"].get("diff") else small
-    results = needed(folder if folder in PAPERS else PAPERS[0]).results
+    needs = constants(str(script))["NEEDS"]
+    needed = judged if needs.get("diff") else small
+    built = needed(folder if folder in PAPERS else PAPERS[0])
+    results = built.results
+    if needs.get("leaderboard"):
+        rankings = [results.layout.ranking(study) for study in built.paper.studies]
+        write_leaderboard(rankings, results.layout.page("leaderboard.csv"))
     draw(script, results, tmp_path / "figure.png")
     assert (tmp_path / "figure.png").stat().st_size > 1000
 

@@ -3,6 +3,7 @@
 import pytest
 
 from repro.errors import ReproError
+from repro.runner.faults import FilterError
 from repro.workflow.job import USAGE, job
 
 
@@ -35,3 +36,10 @@ def test_a_log_on_the_full_disk_is_no_second_fault(tmp_path):
         job(tmp_path / "no folder" / "log"),
     ):
         raise OSError(28, "No space left on device", "a.npz")
+
+
+def test_the_traceback_of_a_filter_comes_before_the_line(tmp_path, capsys):
+    fault = FilterError("filter mine: ZeroDivisionError", '  File "mine.py", line 3, in step\n')
+    with pytest.raises(SystemExit, match="error: filter mine"), job(tmp_path / "log"):
+        raise fault
+    assert capsys.readouterr().err == fault.details

@@ -1,12 +1,14 @@
 """The registry of filters, which their rules fill."""
 
 import json
+from types import SimpleNamespace
+from typing import Any, NamedTuple
 
 import pytest
 
 from repro.errors import ReproError
 from repro.layout import Layout
-from repro.workflow.registry import Registry, matching_points, write_catalogue
+from repro.workflow.registry import FILTER_MODULE, Registry, matching_points, write_catalogue
 
 POINTS = {"radar": ["loss=0.1", "loss=0.5", "markov"], "quadrotor": ["nominal"]}
 
@@ -77,7 +79,56 @@ def test_an_unknown_study_or_point_is_refused_in_one_line(registry):
 
 
 def test_the_catalogue_is_written_as_json(registry, tmp_path):
-    registry.runs("ekf", ["radar"])
-    catalogue = registry.catalogue("radar")
-    write_catalogue(catalogue, tmp_path / "catalogue.json")
-    assert json.loads((tmp_path / "catalogue.json").read_text()) == catalogue
+    filters, settings = {"radar": {"markov": ["ekf"]}}, {"radar": {"markov": {"ekf": {"a": 1}}}}
+    write_catalogue(filters, settings, tmp_path / "catalogue.json")
+    written = json.loads((tmp_path / "catalogue.json").read_text())
+    assert written == {"filters": filters, "settings": settings}
+
+
+class Rule(NamedTuple):
+    """What the registry reads of a rule of Snakemake."""
+
+    name: str
+    output: list[str]
+    params: dict[str, Any]
+
+
+def reaches(*modules: str) -> SimpleNamespace:
+    """What code(...) gives a rule."""
+    return SimpleNamespace(modules=modules)
+
+
+def copied(registry: Registry, name: str, flight: str | None = None, **params: Any) -> Rule:
+    output = [registry.runs(name, ["quadrotor"])]
+    if flight is not None:
+        output.append(registry.flights(flight, ["quadrotor"]))
+    return Rule("copied", output, {"code": reaches(FILTER_MODULE)} | params)
+
+
+def test_settings_of_a_rule_come_before_those_of_params():
+    point = SimpleNamespace(filters={"ekf": {"a": 1}, "iekf": {"a": 2}})
+    registry = Registry(Layout("results"), {"quadrotor": {"nominal": point}}, shards=1)
+    registry.read_settings([copied(registry, "ekf", settings={"a": 3}), copied(registry, "iekf")])
+    assert registry.all_settings("quadrotor") == {
+        "quadrotor": {"nominal": {"ekf": {"a": 3}, "iekf": {"a": 2}}}
+    }
+
+
+@pytest.mark.parametrize(
+    ("params", "message"),
+    [
+        ({"flight": "iekf"}, "must name the same filter"),
+        ({"filter_": "iekf"}, "params: 'filter_' has no meaning"),
+        ({"settings": 0.1}, "settings is a float; write settings=dict"),
+        ({"code": reaches("repro.filters.iekf")}, "leave out code"),
+    ],
+)
+def test_a_rule_names_no_other_filter_than_its_output(registry, params, message):
+    with pytest.raises(ReproError, match=f"rule copied: .*{message}"):
+        registry.read_settings([copied(registry, "ekf", **params)])
+
+
+def test_a_copied_rule_with_the_old_name_is_refused(registry):
+    registry.runs("ekf", ["radar"], points="loss=*")
+    with pytest.raises(ReproError, match=r"filter ekf: two rules run it on radar, point loss=0\.5"):
+        registry.runs("ekf", ["radar"], skip="loss=0.1")

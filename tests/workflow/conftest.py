@@ -1,6 +1,7 @@
 """A copy of the project with few points, in which Snakemake runs for real."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -51,6 +52,25 @@ class Project:
             start_new_session=True,
         )
 
+    def pytest(self, *arguments: str) -> str:
+        """Run tests of this project in the copy; returns their output."""
+        (self.folder / "tests").mkdir(exist_ok=True)
+        for name in ("tests/__init__.py", "tests/conftest.py", "tests/contract", "pyproject.toml"):
+            if (ROOT / name).is_dir():
+                ignored = shutil.ignore_patterns("__pycache__")
+                shutil.copytree(ROOT / name, self.folder / name, ignore=ignored, dirs_exist_ok=True)
+            else:
+                shutil.copy(ROOT / name, self.folder / name)
+        run = subprocess.run(
+            [sys.executable, "-m", "pytest", "-v", *arguments],
+            cwd=self.folder,
+            env={k: v for k, v in self.environment.items() if k != "PYTHONPATH"},
+            capture_output=True,
+            text=True,
+        )
+        assert run.returncode == 0, run.stdout + run.stderr
+        return run.stdout
+
     def keep_only(self, paper: str, study: str, points: list[str]) -> None:
         """Leave a study only a few points of its sweep over the arrival probability."""
         with self._families(paper, study) as families:
@@ -60,6 +80,43 @@ class Project:
         """Leave a study only the first of its points, which is no sweep."""
         with self._families(paper, study) as families:
             del families[1:]
+
+    def keep_values(self, paper: str, study: str, **values: list[float]) -> None:
+        """Leave the first family of a study a few values of its sweep."""
+        with self._families(paper, study) as families:
+            assert families[0]["sweep"].keys() == values.keys()
+            families[0]["sweep"] = values
+
+    def keep_families(self, paper: str, study: str, beginnings: list[str]) -> None:
+        """Leave a study only the families whose names begin so."""
+        with self._families(paper, study) as families:
+            families[:] = [f for f in families if f["name"].startswith(tuple(beginnings))]
+
+    def judge_only(self, paper: str, *beginnings: str) -> None:
+        """Leave the diff only the items of one paper that begin so, claims among them."""
+        for file in (self.folder / "params/published").glob("*.csv"):
+            if file.stem == paper:
+                head, *rows = file.read_text().splitlines(keepends=True)
+                file.write_text(head + "".join(r for r in rows if r.startswith(beginnings)))
+            else:
+                file.unlink()
+        claims = self.folder / f"src/repro/papers/{paper}/claims.py"
+        kept = f"CLAIMS[:] = [one for one in CLAIMS if one.item.startswith({beginnings})]\n"
+        claims.write_text(f"{claims.read_text()}\n\n{kept}")
+
+    def leave_only_own_studies(self) -> None:
+        """Take out the papers: their parameters, published values, figures and rules."""
+        for file in (self.folder / "params").glob("*.yaml"):
+            if file.stem != "run":
+                file.unlink()
+        shutil.rmtree(self.folder / "params/published")
+        shutil.rmtree(self.folder / "figures")
+        filters = self.folder / "workflow/rules/filters.smk"
+        rule = r"^use rule .*?\n\n\n"
+        filters.write_text(re.sub(rule, "", filters.read_text(), flags=re.DOTALL | re.MULTILINE))
+        snakefile = self.folder / "Snakefile"
+        included = r'^include: "workflow/rules/papers/.*\n'
+        snakefile.write_text(re.sub(included, "", snakefile.read_text(), flags=re.MULTILINE))
 
     @contextmanager
     def _families(self, paper: str, study: str) -> Iterator[list[dict]]:

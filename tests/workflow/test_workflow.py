@@ -9,31 +9,13 @@ import time
 import tomllib
 from itertools import chain
 
-import numpy as np
 import pytest
 import yaml
 
 from tests.conftest import ROOT
+from tests.workflow.test_pages import jobs_of
 
 TABLE = "results/tables/linear_delays.csv"
-
-
-def example(page: str) -> list[str]:
-    """The filter and the rule that a page shows, so that a test runs them."""
-    return re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)
-
-
-def add_filter(project, page: str, name: str) -> None:
-    module, rule = example(page)
-    (project.folder / f"src/repro/filters/{name}.py").write_text(module)
-    with (project.folder / "workflow/rules/filters.smk").open("a") as rules:
-        rules.write(f"\n\n{rule}")
-
-
-def jobs_of(output: str) -> dict[str, int]:
-    """Job counts of Snakemake's table of a dry run."""
-    lines = output.split("Job stats:")[1].split("\n\n")[0].splitlines()[3:]
-    return {name: int(count) for name, count in (line.split() for line in lines) if name != "total"}
 
 
 def test_lint_is_clean(project):
@@ -41,7 +23,7 @@ def test_lint_is_clean(project):
 
 
 def test_a_paper_runs_end_to_end(project):
-    """The smoke profile on one paper; a second run has nothing to do.
+    """One paper with few trials; a second run has nothing to do.
 
     CI runs all papers with all trials, up to diff, manifest and tally, before these tests.
     """
@@ -49,9 +31,21 @@ def test_a_paper_runs_end_to_end(project):
     written = ["claims/packet_delays.csv", "tables/packet_example.csv", "parameters.csv"]
     targets = [f"smoke/figures/packet_delays/{name}.png" for name in drawn]
     targets += [f"smoke/results/{name}" for name in written]
-    project.snakemake(*targets, "--profile", "profiles/smoke")
-    assert "Nothing to be done" in project.snakemake(*targets, "--profile", "profiles/smoke")
+    few = ("--config", "trials=6", "into=smoke")
+    project.snakemake(*targets, *few)
+    assert "Nothing to be done" in project.snakemake(*targets, *few)
     assert all((project.folder / target).stat().st_size > 0 for target in targets)
+
+
+def test_a_smoke_run_is_one_point_of_each_family(project):
+    """The whole graph but claims and diff; every filter that is registered runs."""
+    profile = ("--profile", "profiles/smoke")
+    planned = jobs_of(project.snakemake("-n", *profile))
+    everything = jobs_of(project.snakemake("-n", "--config", "trials=6", "into=smoke"))
+    assert everything.keys() - planned.keys() == {"claims", "diff"}
+    assert sum(planned.values()) < 0.5 * sum(everything.values())
+    output = project.snakemake("smoke/results/parameters.csv", *profile)
+    assert "Everything: snakemake -j2" in output
 
 
 def test_a_rebuild_is_byte_identical(trimmed):
@@ -67,7 +61,7 @@ def test_a_rebuild_is_byte_identical(trimmed):
 def test_the_same_command_resumes_a_killed_run(trimmed):
     """SIGKILL at three random moments: of Snakemake alone, whose jobs live on, and of all."""
     command = (f"smoke/{TABLE}", "smoke/figures/packet_delays/fig01.png")
-    command += ("--profile", "profiles/smoke")
+    command += ("--config", "trials=6", "into=smoke")
     results = [f"smoke/results/**/[!.]*.{kind}" for kind in ("mcap", "npz", "csv")]
     results += ["smoke/figures/*/*.png"]
     begun = time.monotonic()
@@ -96,34 +90,6 @@ def test_tables_do_not_depend_on_shards(trimmed):
         assert len(written) == 2
         tables.append(list(written.values()))
     assert tables[0] == tables[1] == tables[2]
-
-
-def test_a_filter_is_one_file_and_one_rule(trimmed):
-    """It appears in table and figure; only its own jobs and what depends on them run."""
-    figure = "figures/packet_delays/fig01.png"
-    trimmed.snakemake(TABLE, figure, "--config", "trials=4")
-    before = (trimmed.folder / figure).read_bytes()
-    add_filter(trimmed, "README.md", "mine")
-    planned = jobs_of(trimmed.snakemake("-n", TABLE, figure, "--config", "trials=4"))
-    assert planned == {"mine": 2, "table": 1, "figure": 1}
-    trimmed.snakemake(TABLE, figure, "--config", "trials=4")
-    assert ",mine,rmse,x1," in (trimmed.folder / TABLE).read_text()
-    assert (trimmed.folder / figure).read_bytes() != before
-
-
-def test_the_worked_example_runs_and_is_the_kalman_filter_where_it_must(trimmed):
-    """docs/add-a-filter.md: in the linear study an unscented filter is the IKF."""
-    add_filter(trimmed, "docs/add-a-filter.md", "ukf")
-    runs = [
-        f"results/runs/{study}/loss=0.3/{name}/0.npz"
-        for study in ("linear_losses", "radar")
-        for name in ("ukf", "iekf")
-    ]
-    trimmed.snakemake(*runs, "--config", "trials=4")
-    ukf, ikf = (np.load(trimmed.folder / path)["error"] for path in runs[:2])
-    np.testing.assert_allclose(ukf, ikf, atol=1e-9)
-    planned = jobs_of(trimmed.snakemake("-n", "results/diff.csv", "--config", "trials=4"))
-    assert planned["ukf"] == 10 + 6 - 2  # every point loss=... of both studies, less those there
 
 
 def test_an_edit_reruns_what_depends_on_it(trimmed):

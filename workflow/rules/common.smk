@@ -17,8 +17,15 @@ os.environ.update(MALLOC_TRIM_THRESHOLD_="268435456", MALLOC_MMAP_THRESHOLD_="26
 from repro.atomic import check_writable
 from repro.errors import ReproError
 from repro.layout import Layout
-from repro.parameters.load import check_shards, load_paper, load_run, on_request, user_values
-from repro.workflow.code import code_digest, constants
+from repro.parameters.load import (
+    check_shards,
+    first_of_families,
+    load_paper,
+    load_run,
+    on_request,
+    user_values,
+)
+from repro.workflow.code import code_digest, code_files, constants
 from repro.workflow.lock import hold
 from repro.workflow.registry import Registry
 
@@ -53,7 +60,10 @@ or_exit(check_shards, STUDIES, RUN.shards)
 LAYOUT, FIGURES = Layout(Path(RUN.into, "results")), str(Path(RUN.into, "figures"))
 or_exit(check_writable, LAYOUT.root)
 or_exit(check_writable, FIGURES)
-REGISTRY = Registry(LAYOUT, STUDIES, RUN.shards)
+# With one point of each family there is nothing to compare: no claims, no diff.
+SMOKE = RUN.one_point_per_family
+LEFT_OUT = {study: points.keys() - first_of_families(points) for study, points in STUDIES.items()}
+REGISTRY = Registry(LAYOUT, STUDIES, RUN.shards, LEFT_OUT if SMOKE else None)
 # Filters that some parameter file ranks; all others are a reader's own.
 RANKED = {
     f for paper in PAPERS.values() for ranking in paper.ranking.values() for f in ranking.known()
@@ -93,14 +103,17 @@ def code(*modules):
     """Parameter: the code that the modules reach, the study's with it; wildcards are filled in.
 
     A digest, not input files: some thirty a job would cost the scheduler more than the jobs take.
+    A module that does not exist ends Snakemake in one line.
     """
+    or_exit(code_files, *(module for module in modules if "{" not in module))
 
     def digest(wildcards):
-        found = dict(wildcards.items())
-        study = [f"repro.studies.{found['study']}"] if "study" in found else []
-        reached = (module.format(**found) for module in modules)
-        return code_digest("repro.workflow.job", *reached, *study)
+        values = dict(wildcards.items())
+        study = [f"repro.studies.{values['study']}"] if "study" in values else []
+        reached = (module.format(**values) for module in modules)
+        return or_exit(code_digest, "repro.workflow.job", *reached, *study)
 
+    digest.modules = modules
     return digest
 
 
@@ -147,7 +160,7 @@ def figure_files():
     return [
         f"{FIGURES}/{path.parent.name}/{path.stem}.png"
         for path in sorted(Path("figures").glob("*/*.py"))
-        if not needs(path.parent.name, path.stem).get("on_request")
+        if is_drawn(needs(path.parent.name, path.stem))
     ]
 
 
@@ -158,6 +171,17 @@ def study_figure_files():
         for study in STUDIES
         for kind in ("over_k", "over_sweep", "distribution")
     ]
+
+
+def is_drawn(needed):
+    """Whether a figure is part of a run; in a smoke run only if all of its points run."""
+    if needed.get("on_request"):
+        return False
+    if not SMOKE:
+        return True
+    points = needed.get("points", {})
+    ran = REGISTRY.catalogue(*points)
+    return not needed.get("diff") and all(ran[s].keys() >= {*points[s]} for s in points)
 
 
 def figure_inputs(wildcards):
@@ -216,6 +240,12 @@ def commit():
 
 def print_tally():
     """The verdicts at a glance, at the end of a run."""
+    if SMOKE:
+        print(
+            "Smoke run: the first point of each family, few trials; no claims, and no figures that "
+            "compare points.\nEverything: snakemake -j2"
+        )
+        return
     tally = Path(LAYOUT.page("tally.txt"))
     if tally.exists():
         print(tally.read_text(), end="")

@@ -292,6 +292,3 @@ for study, names in LISTED.items():
             code=code("repro.runner", "repro.filters.{filter}"),
         script:
             "../scripts/run_filter.py"
-
-
-REGISTRY.read_settings(workflow.rules)

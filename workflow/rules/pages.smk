@@ -54,8 +54,7 @@ rule manifest:
     input:
         parameters=["params/run.yaml", *PARAMETER_FILES, *rules.diff.input.published],
         tables=[
-            rules.diff.output,
-            rules.diff.input.claims,
+            [] if SMOKE else [rules.diff.output, rules.diff.input.claims],
             rules.diff.input.tables,
             rules.parameters.output,
             rules.assumptions.output,
@@ -157,9 +156,10 @@ rule user_log:
             "parameters": user_log_point().parameters.plain(),
             "changes": or_exit(user_values, RUN.parameters),
             "seed": RUN.root_seed,
-            "settings": user_log_point().filters.get(wildcards.filter, {}),
+            "settings": REGISTRY.settings(wildcards.filter, user_log("study"), user_log("point")),
         },
-        code=lambda wildcards: code_digest(
+        code=lambda wildcards: or_exit(
+            code_digest,
             "repro.inspect.user_log",
             f"repro.filters.{wildcards.filter}",
             f"repro.studies.{user_log('study')}",
@@ -177,6 +177,7 @@ rule catalogue:
         ENVIRONMENT
     params:
         filters=REGISTRY.catalogue(*STUDIES, requested=True),
+        settings=REGISTRY.all_settings(*STUDIES),
         code=code("repro.workflow.registry"),
     script:
         "../scripts/catalogue.py"

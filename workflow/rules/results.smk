@@ -1,4 +1,8 @@
 # Stops 4 to 6 of the data: tables, claims, diff, figures.
+# All rules of filters are above: in filters.smk, or in a file that the Snakefile includes before.
+or_exit(REGISTRY.read_settings, workflow.rules)
+
+
 rule table:
     input:
         runs=lambda wildcards: REGISTRY.run_files(wildcards.study),

@@ -16,6 +16,7 @@ from repro.errors import ReproError, computing
 from repro.logs import Log
 from repro.network.channels import Recorded
 from repro.parameters.load import Paper, Point, load_paper, load_run
+from repro.parameters.settings import typed_settings
 from repro.runner import build
 from repro.runner import run as run_on_log
 from repro.runner.block import Block
@@ -152,7 +153,7 @@ def estimate(
     stream = f"filter:{getattr(module, 'STREAM', name)}"
     block = Block(
         task,
-        build(task, module, model, dict(settings or {})),
+        build(task, module, model, typed_settings(module, name, settings or {}, str(task))),
         module.SEES,
         Recorded(**arrays),
         Streams(seed, "plain arrays", stream, numbers.tolist()),

@@ -1,7 +1,7 @@
 """Parameters: every value with its source, validated, and resolved for each point of a study."""
 
 import itertools
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Annotated, Any, NamedTuple
@@ -81,6 +81,9 @@ class Run(Values):
     into: Annotated[
         str, Field(pattern=r"^[A-Za-z0-9_./-]+$", description="folder of results and figures")
     ] = "."
+    one_point_per_family: Annotated[
+        bool, Field(description="whether only the first point of each family runs, and no claim")
+    ] = False
     log: Annotated[str, Field(description="MCAP file recorded elsewhere")] | None = None
     study: Annotated[str, Field(description="study that the log is of")] | None = None
     point: Annotated[str, Field(description="point that the log is of")] | None = None
@@ -94,6 +97,14 @@ class Run(Values):
     filter: Annotated[str, Field(description="filter that the leaderboard is asked for")] | None = (
         None
     )
+
+
+def first_of_families(points: Mapping[str, Point]) -> list[str]:
+    """The first point of each family."""
+    first: dict[str, str] = {}
+    for name, point in points.items():
+        first.setdefault(point.family, name)
+    return list(first.values())
 
 
 def load_paper(path: str | Path) -> Paper:

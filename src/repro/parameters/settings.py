@@ -1,12 +1,12 @@
 """What the papers' filters can be set to. A filter that is not listed here has a `Settings` of its
 own, or takes its settings as they are given."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from repro.parameters.values import Probability, Values
+from repro.parameters.values import ParameterError, Probability, Values
 
 Particles = Annotated[int, Field(ge=1, description="number of particles of a trial")]
 Resampling = Literal["systematic", "multinomial"]
@@ -91,10 +91,72 @@ def checked_settings(filter_: str, values: Mapping[str, Any], where: str) -> dic
     return SETTINGS[filter_].checked(values, where).plain()
 
 
-def typed_settings(module: Any, filter_: str, values: Mapping[str, Any]) -> Any:
+class PlainSettings(dict[str, Any]):
+    """Settings of a filter that declares no type for them.
+
+    Reading a key that was not given raises ParameterError; `check_all_read` refuses keys that the
+    filter has not read. `get` and `in` read a key; iterating reads all of them.
+    """
+
+    def __init__(self, values: Mapping[str, Any], where: str):
+        """`where` begins the messages: the filter and where it runs."""
+        super().__init__(values)
+        self._where, self._unread = where, set(values)
+
+    def __getitem__(self, key: str) -> Any:
+        self._unread.discard(key)
+        if not super().__contains__(key):
+            raise ParameterError(
+                f"{self._where}: the setting '{key}' is missing; give it in its rule: "
+                f"params: settings=dict({key}=...)"
+            )
+        return super().__getitem__(key)
+
+    def __contains__(self, key: object) -> bool:
+        self._unread.discard(str(key))
+        return super().__contains__(key)
+
+    def get(self, key: str, default: Any = None) -> Any:
+        """The value, or the default if it is not given."""
+        self._unread.discard(key)
+        return super().get(key, default)
+
+    # A filter that takes all settings at once, as in Parameters(**settings), reads each of them.
+    def __iter__(self) -> Iterator[str]:
+        self._unread.clear()
+        return super().__iter__()
+
+    def keys(self) -> Any:
+        """All keys."""
+        self._unread.clear()
+        return super().keys()
+
+    def values(self) -> Any:
+        """All values."""
+        self._unread.clear()
+        return super().values()
+
+    def items(self) -> Any:
+        """All keys with their values."""
+        self._unread.clear()
+        return super().items()
+
+    def check_all_read(self) -> None:
+        """Raise ParameterError if a setting was given that the filter has not read."""
+        if self._unread:
+            names = ", ".join(f"'{key}'" for key in sorted(self._unread))
+            kind = "setting" if len(self._unread) == 1 else "settings"
+            verb = "is" if len(self._unread) == 1 else "are"
+            raise ParameterError(
+                f"{self._where}: the {kind} {names} {verb} never used; "
+                "fix the name, or leave it out of the rule"
+            )
+
+
+def typed_settings(module: Any, filter_: str, values: Mapping[str, Any], where: str) -> Any:
     """The settings as `build` gets them: typed by SETTINGS, by the module's own `Settings`, or not.
 
-    Raises ParameterError if the values do not fit.
+    Raises ParameterError if the values do not fit; `where` begins its message.
     """
     model = SETTINGS.get(filter_) or getattr(module, "Settings", None)
-    return dict(values) if model is None else model.checked(values, f"filter {filter_}: settings")
+    return PlainSettings(values, where) if model is None else model.checked(values, where)

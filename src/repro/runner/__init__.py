@@ -10,7 +10,7 @@ from repro.atomic import atomic_write
 from repro.errors import ReproError, computing
 from repro.filters import Filter
 from repro.logs import Log, read_log, write_log
-from repro.parameters.settings import typed_settings
+from repro.parameters.settings import PlainSettings, typed_settings
 from repro.runner.block import Block
 from repro.runner.faults import Progress, Task, inside
 from repro.statistics.runs import Runs
@@ -28,7 +28,8 @@ def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, R
     task = Task(name, f"{log.study}, {log.point}")
     with computing(f"{log.study}, {log.point}"):
         model = study.model(log.parameters)
-    built = build(task, module, model, settings)
+    typed = typed_settings(module, name, settings, str(task))
+    built = build(task, module, model, typed)
     size = max(1, study.systems_per_block // built.particles)
     progress = Progress(task, len(log.trials))
     blocks = []
@@ -50,6 +51,8 @@ def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, R
             kept=_kept(study),
         )
         blocks.append(block.run(progress))
+        if isinstance(typed, PlainSettings):
+            typed.check_all_read()
     estimate = np.concatenate([block.estimate for block in blocks])
     flown = {t: np.concatenate([block.flown[t] for block in blocks]) for t in blocks[0].flown}
     log = log._replace(values=log.values | flown)  # a closed loop decides its own truth
@@ -66,16 +69,18 @@ def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, R
     )
 
 
-def build(task: Task, module: Any, model: Any, settings: dict[str, Any]) -> Filter:
-    """The filter for a model. Raises ReproError if the model is not of the kind that it needs."""
+def build(task: Task, module: Any, model: Any, settings: Any) -> Filter:
+    """The filter for a model, with settings as `typed_settings` gives them.
+
+    Raises ReproError if the model is not of the kind that the filter needs.
+    """
     wanted = getattr(module.build, "__annotations__", {}).get("model")
     if isinstance(wanted, type) and not isinstance(model, wanted):
         raise ReproError(
             f"{task}: it needs a {wanted.__name__}; this study has a {type(model).__name__}"
         )
-    typed = typed_settings(module, task.name, settings)
     with inside(task, "build(model, settings)"):
-        built = module.build(model, typed)
+        built = module.build(model, settings)
     if not isinstance(built, Filter):
         raise ReproError(f"{task}: build returned a {type(built).__name__}; it must be a Filter")
     return built
@@ -83,7 +88,7 @@ def build(task: Task, module: Any, model: Any, settings: dict[str, Any]) -> Filt
 
 def _kept(study: Study) -> tuple[str, ...]:
     """What is kept of each step besides the estimate."""
-    wanted = {"claimed": study.keeps_claimed_variance, "arrived": study.keeps_inferred_arrivals}
+    wanted = {"variance": study.keeps_claimed_variance, "arrived": study.keeps_inferred_arrivals}
     return tuple(name for name, is_wanted in wanted.items() if is_wanted)
 
 

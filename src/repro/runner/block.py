@@ -12,6 +12,14 @@ from repro.network.channels import Channels, Seen
 from repro.runner.faults import Progress, Task, inside
 from repro.streams import Streams
 
+# Of what a filter may have besides: axes of the arrays that it returns.
+SHAPES = {
+    "predicted": ("trials, n",),
+    "variance": ("n", "trials, n"),
+    "arrived": ("trials",),
+    "degenerate": ("trials",),
+}
+
 
 class BlockResult(NamedTuple):
     """What the trials of a block leave."""
@@ -57,8 +65,8 @@ class Block:
         steps = self._estimate.shape[1]
         for k in range(self._first, steps):
             offered = self._channels.at(k, self._fed_back(k, mean))
-            seen = Seen(self._task.name, self._sees, offered)
             with self._inside("step(state, k, seen)", k):
+                seen = Seen(self._task.name, self._sees, offered)
                 self._state = self._filter.step(self._state, k, seen)
             found = self._mean(k)
             over = self._channels.over(k, found)
@@ -75,65 +83,89 @@ class Block:
     def _fed_back(self, k: int, mean: np.ndarray) -> np.ndarray:
         """What the channels get of the filter; without a prediction of its own, its estimate."""
         if self._channels.on_prediction and self._filter.predicted:
-            return self._filter.predicted(self._state, k)
+            return self._optional("predicted", k, self._filter.predicted, self._state, k)
         return mean
 
     def _keep(self, k: int, mean: np.ndarray, over: np.ndarray | None) -> None:
         """Keep the estimate of step k and what the filter says of it besides."""
         self._estimate[:, k] = mean
-        say = {"claimed": self._filter.variance, "arrived": self._filter.arrived}
         for name in self._kept:
-            function = say[name]
+            function = getattr(self._filter, name)
             if function is not None:
+                values = self._optional(name, k, function, self._state)
                 steps = self._history.setdefault(name, [])
-                with self._inside(f"what it has as {name}", k):
-                    steps.append(_held(function(self._state), steps[-1] if steps else 0.0, over))
+                steps.append(_held(values, steps[-1] if steps else 0.0, over))
         if self._filter.diagnostics:
-            for name, values in self._filter.diagnostics(self._state).items():
-                self._history.setdefault(f"diagnostic {name}", []).append(values)
+            with self._inside("diagnostics(state)", k):
+                found = dict(self._filter.diagnostics(self._state))
+            for name, values in found.items():
+                steps = self._history.setdefault(f"diagnostic {name}", [])
+                steps.append(self._shaped(f"diagnostics(state)['{name}']", k, values, "trials"))
 
     def _result(self) -> BlockResult:
         history, recorded = self._history, self._channels.record()
         if "arrived" in history:
             recorded["arrived"] = np.stack(history.pop("arrived"), axis=1)
-        claimed = history.pop("claimed", None)
+        claimed = history.pop("variance", None)
         recorded |= {
             name.removeprefix("diagnostic "): np.stack(steps, axis=1)
             for name, steps in history.items()
         }
-        guarded = self._filter.degenerate
+        degenerate = np.zeros(len(self._numbers))
+        if self._filter.degenerate:
+            last = self._estimate.shape[1] - 1
+            degenerate = self._optional("degenerate", last, self._filter.degenerate, self._state)
         return BlockResult(
             self._estimate,
             None if claimed is None else np.stack(claimed, axis=-2),
-            guarded(self._state) if guarded else np.zeros(len(self._numbers)),
+            degenerate,
             recorded,
             self._channels.flown(),
         )
 
     def _checked(self, mean: np.ndarray, k: int) -> np.ndarray:
         """The estimate, if it has the shape that it must have and is finite."""
-        wanted = self._estimate[:, k].shape
-        if mean.shape != wanted:
-            raise ReproError(
-                f"{self._task}: mean(state) has shape {mean.shape} at step {k}; "
-                f"it must be (trials, n) = {wanted}"
-            )
-        if not np.isrealobj(mean) or mean.dtype == object:
-            raise ReproError(
-                f"{self._task}: mean(state) holds {mean.dtype} at step {k}; it must be real"
-            )
+        self._shaped("mean(state)", k, mean, "trials, n")
         finite = np.isfinite(mean).all(axis=1)
         if not finite.all():
             trial = self._numbers[int(finite.argmin())]
             raise ReproError(
-                f"{self._task}: the estimate of trial {trial} at step {k} is not finite"
+                f"{self._task}: the estimate of trial {trial} at step {k} is not finite; "
+                "fix step or mean, for instance a division by zero"
             )
         return mean
 
+    def _optional(self, name: str, k: int, function: Any, *arguments: Any) -> np.ndarray:
+        """What an optional function of the filter returns, checked for its shape."""
+        signature = "state, k" if len(arguments) == 2 else "state"
+        with self._inside(f"{name}({signature})", k):
+            values = function(*arguments)
+        return self._shaped(f"{name}({signature})", k, values, *SHAPES[name])
+
+    def _shaped(self, what: str, k: int, values: Any, *shapes: str) -> np.ndarray:
+        """The values as an array, if real and of one of the shapes, such as "trials, n"."""
+        array = np.asarray(values)
+        lengths = {"trials": self._estimate.shape[0], "n": self._estimate.shape[2]}
+        allowed = {
+            f"({shape})": tuple(lengths[axis] for axis in shape.split(", ")) for shape in shapes
+        }
+        where = f"at step {k}, {self._trials}"
+        if array.shape not in allowed.values():
+            expected = " or ".join(f"{name} = {shape}" for name, shape in allowed.items())
+            raise ReproError(
+                f"{self._task}: {what} has shape {array.shape} {where}; it must be {expected}"
+            )
+        if not np.isrealobj(array) or array.dtype.kind not in "fiub":
+            raise ReproError(f"{self._task}: {what} holds {array.dtype} {where}; it must be real")
+        return array
+
+    @property
+    def _trials(self) -> str:
+        return f"trials {self._numbers[0]} to {self._numbers[-1]}"
+
     @contextmanager
     def _inside(self, function: str, k: int) -> Iterator[None]:
-        trials = f"trials {self._numbers[0]} to {self._numbers[-1]}"
-        with inside(self._task, f"{function} at step {k}, {trials}"):
+        with inside(self._task, f"{function} at step {k}, {self._trials}"):
             yield
 
 

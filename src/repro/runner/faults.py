@@ -37,8 +37,11 @@ def inside(task: Task, where: str) -> Iterator[None]:
     """A call into a filter: its exceptions become one line, with its own part of the traceback."""
     try:
         yield
-    except ReproError:
-        raise
+    except ReproError as error:  # already one line: of a channel or a setting
+        text = str(error)
+        if text.startswith(str(task)):
+            raise
+        raise ReproError(f"{task}: {where}: {text.removeprefix(f'filter {task.name}: ')}") from None
     except Exception as error:
         frames = traceback.extract_tb(error.__traceback__)
         own = [frame for frame in frames if Path(frame.filename).parent != RUNNER]

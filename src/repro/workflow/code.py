@@ -7,6 +7,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from repro.errors import ReproError
+
 # Of this package alone. Parsing the files took a tenth of the time that Snakemake takes to start.
 IMPORT = re.compile(r"^ *(?:from|import) +(repro[\w.]*)(?: +import +(\([^)]*\)|.*))?", re.MULTILINE)
 NAME = re.compile(r"\b(\w+)\b(?: +as +\w+)?")
@@ -19,14 +21,20 @@ def code_files(*starts: str) -> list[str]:
     """Files that the given modules (dotted names) or scripts (paths ending in .py) reach.
 
     Paths are relative to the folder that holds src/, sorted; a script itself is not listed.
+    Raises ReproError for a module or script that does not exist.
     """
     reached: set[Path] = set()
     todo: list[Path] = []
     for start in starts:
         if start.endswith(".py"):
+            if not Path(start).exists():
+                raise ReproError(f"code(): there is no script {start}")
             todo += _imported(Path(start))
         else:
-            todo += _module_files(start)
+            files = _module_files(start)
+            if not files:
+                raise ReproError(f"code(): there is no module {start} in {SOURCE.name}/")
+            todo += files
     while todo:
         file = todo.pop()
         if file not in reached:

@@ -13,7 +13,9 @@ from repro.layout import Catalogue, Layout
 from repro.parameters.load import Point, on_request
 
 # The wildcards of a filter's output: see Registry.runs.
-OUTPUT = re.compile(r"\{study,(?P<studies>[\w|]+)\}.*\{filter,(?P<filter>\w+)\}")
+OUTPUT = re.compile(r"\{study,(?P<studies>[\w|]+)\}.*\{filter,(?P<filter>[\w|]+)\}")
+FILTER_MODULE = "repro.filters.{filter}"  # in a rule's code(...): that of the filter it runs
+Settings = dict[str, dict[str, dict[str, dict[str, Any]]]]  # study -> point -> filter -> settings
 Patterns = str | Sequence[str]  # one or several shell patterns
 
 
@@ -22,10 +24,10 @@ def filter_file(name: str) -> Path:
     return Path(__file__).parents[1] / "filters" / f"{name}.py"
 
 
-def write_catalogue(catalogue: Catalogue, path: str | Path) -> None:
-    """Write the catalogue as JSON, for tests and for scripts of a reader."""
+def write_catalogue(filters: Catalogue, settings: Settings, path: str | Path) -> None:
+    """Write which filters run where, and their settings, as JSON: for tests and for a reader."""
     with atomic_write(path) as part:
-        part.write_text(json.dumps(catalogue, indent=1) + "\n")
+        part.write_text(json.dumps({"filters": filters, "settings": settings}, indent=1) + "\n")
 
 
 def matching_points(
@@ -43,8 +45,18 @@ def _matches(point: str, patterns: Patterns) -> bool:
 class Registry:
     """The filters of every point, and the files that their jobs write."""
 
-    def __init__(self, layout: Layout, points: Mapping[str, Mapping[str, Point]], shards: int):
-        """`points` are each study's points by name; `shards` the jobs of each point."""
+    def __init__(
+        self,
+        layout: Layout,
+        points: Mapping[str, Mapping[str, Point]],
+        shards: int,
+        left_out: Mapping[str, Collection[str]] | None = None,
+    ):
+        """`points` are each study's points by name; `shards` the jobs of each point.
+
+        On points that are `left_out`, by study, no filter runs, though rules may name them.
+        """
+        self._left_out = left_out or {}
         self._layout, self._shards = layout, range(shards)
         self._filters: Catalogue = {
             study: {p: [] for p in named} for study, named in points.items()
@@ -58,7 +70,8 @@ class Registry:
     ) -> str:
         """Output of a filter's rule; registers the filter on the matching points of the studies.
 
-        Raises ReproError for an unknown study, and for a pattern that no point matches.
+        Raises ReproError for an unknown filter or study, for a pattern that no point matches, and
+        for a point on which another rule runs the filter.
         """
         if not filter_file(name).exists():
             raise ReproError(f"filter {name}: there is no {filter_file(name)}; write it first")
@@ -74,6 +87,13 @@ class Registry:
                     f"filter {name}: no point of {study} matches {points}; fix the pattern"
                 )
             for point in matching:
+                if point in self._left_out.get(study, ()):
+                    continue
+                if name in self._filters[study][point]:
+                    raise ReproError(
+                        f"filter {name}: two rules run it on {study}, point {point}; "
+                        "fix the name, studies or points in runs(...) of one of them"
+                    )
                 self._filters[study][point].append(name)
         return self._layout.run(**_only(name, studies))
 
@@ -89,13 +109,28 @@ class Registry:
         return self._layout.flight(**_only(name, studies))
 
     def read_settings(self, rules: Iterable[Any]) -> None:
-        """Take the settings that the rules of the filters give on the spot."""
+        """Take the settings that the rules of the filters give on the spot, and check the rules.
+
+        Raises ReproError where a rule names another filter than its output does.
+        """
         for rule in rules:
-            given = dict(rule.params.items()).get("settings")
-            wildcards = OUTPUT.search(str(rule.output[0])) if len(rule.output) else None
-            if isinstance(given, dict) and wildcards:
-                for study in wildcards["studies"].split("|"):
-                    self._given[wildcards["filter"], study] = given
+            outputs = [OUTPUT.search(str(file)) for file in rule.output]
+            if not outputs or outputs[0] is None:
+                continue
+            named = outputs[0].groupdict()
+            params = dict(rule.params.items())
+            _check_rule(rule.name, named, outputs[1:], params)
+            given = params.get("settings")
+            if given is None or callable(given):
+                continue
+            if not isinstance(given, dict):
+                raise ReproError(
+                    f"rule {rule.name}: params: settings is a {type(given).__name__}; "
+                    "write settings=dict(name=value)"
+                )
+            for study in named["studies"].split("|"):
+                for filter_ in named["filter"].split("|"):
+                    self._given[filter_, study] = given
 
     def settings(self, name: str, study: str, point: str | None = None) -> dict[str, Any]:
         """Settings at a point, or by point: as the filter's rule gives them, else from params/."""
@@ -103,6 +138,17 @@ class Registry:
             return {p: self.settings(name, study, p) for p in self._points.get(study, {})}
         of_point = self._points[study][point].filters.get(name, {})
         return self._given.get((name, study), of_point)
+
+    def all_settings(self, *studies: str) -> Settings:
+        """Settings of every filter on every point of the studies."""
+        return {
+            study: {
+                point: {name: self.settings(name, study, point) for name in names}
+                for point, names in self._filters[study].items()
+                if names
+            }
+            for study in studies
+        }
 
     def own_filters(self, known: Iterable[str]) -> list[str]:
         """Filters that are not among the known ones, in the order of their rules."""
@@ -159,6 +205,27 @@ class Registry:
     ) -> list[tuple[str, list[str]]]:
         of_study = self.catalogue(study, requested=requested)[study]
         return [(p, filters) for p, filters in of_study.items() if points is None or p in points]
+
+
+def _check_rule(
+    rule: str, named: dict[str, str], others: list[re.Match | None], params: dict[str, Any]
+) -> None:
+    """Raise ReproError if anything in a filter's rule is of another filter than its output."""
+    for other in others:
+        if other is None or other.groupdict() != named:
+            raise ReproError(
+                f"rule {rule}: runs(...) and flights(...) must name the same filter and studies"
+            )
+    for name in params.keys() - {"settings", "code"}:
+        raise ReproError(
+            f"rule {rule}: params: '{name}' has no meaning; the filter is that of runs(...), "
+            "and its settings are settings=dict(name=value)"
+        )
+    if FILTER_MODULE not in getattr(params.get("code"), "modules", ()):
+        raise ReproError(
+            f"rule {rule}: params: code must reach {FILTER_MODULE}; leave out code, "
+            "and 'use rule run_filter' gives it"
+        )
 
 
 def _only(name: str, studies: list[str]) -> dict[str, str]:
