@@ -95,7 +95,7 @@ def test_every_value_is_described(study):
         ("rss_2d", {"sensor_positions": [[0.0, 0.0, 0.0]]}, r"sensor_positions\.0: has 3 entries"),
         ("rss_3d", {"true_initial_state": [0.0] * 4}, "true_initial_state: has 4 entries"),
         ("rss_2d", {"saturation_level": 0.0}, "saturation_level: 0.0 is too small"),
-        ("ungm", {"initial_harvest": "none"}, "initial_harvest: 'none' is not one of"),
+        ("ungm", {"initial_harvest": "none"}, "initial_harvest: 'none' is not 'uniform', 'zero'"),
     ],
 )
 def test_parameters_that_do_not_fit_are_refused(study, changes, message):

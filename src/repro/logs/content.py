@@ -251,11 +251,12 @@ def read_topics(
     fields: Mapping[str, tuple[str, ...]],
     read: Callable[[Content, str, tuple[str, ...]], Topic],
     once: Collection[str] = (),
+    between: Collection[str] = (),
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Trials, and the values of each topic by `read`.
 
     Raises LogError unless all have the same trials, and as many messages a trial; those of `once`
-    have one.
+    have one, and those of `between`, which lie between the steps, one fewer.
     """
     topics = {topic: read(content, topic, names) for topic, names in fields.items()}
     if not topics:
@@ -271,7 +272,7 @@ def read_topics(
             raise LogError(
                 f"{content.path}: topic {topic}: a trial has {length} messages; it must have one"
             )
-        if topic not in once and length < lengths[longest]:
+        if topic not in once and length < lengths[longest] - (topic in between):
             raise LogError(
                 f"{content.path}: topic {topic}: a trial has {length} messages, but "
                 f"{lengths[longest]} on {longest}"

@@ -50,8 +50,9 @@ def read_log(
             f"'{provenance['point']}', expected is '{point}'"
         )
     topics = fields if fields is not None else _own_fields(content)
-    once = plugins.study(provenance["study"]).constant_topics
-    trials, values = read_topics(content, topics, _topic, once)
+    scenario = plugins.study(provenance["study"])
+    once, between = scenario.constant_topics, scenario.topics_between_steps
+    trials, values = read_topics(content, topics, _topic, once, between)
     return Log(
         study=provenance["study"],
         point=provenance["point"],

@@ -33,6 +33,7 @@ class Study(ABC):
     trajectory: ClassVar[tuple[tuple[str, str], ...]] = ()  # fields of /truth: y over x
     error_unit: ClassVar[str] = ""  # of the root of squared_error
     constant_topics: ClassVar[tuple[str, ...]] = ()  # of one message a trial
+    topics_between_steps: ClassVar[tuple[str, ...]] = ()  # of one message a trial fewer than steps
     log_remark: ClassVar[str] = ""  # what a log recorded elsewhere must have, if unexpected
     keeps_claimed_variance: ClassVar[bool] = True  # the variances that the filters claim
     keeps_inferred_arrivals: ClassVar[bool] = False  # what the filters infer of the arrivals

@@ -221,6 +221,7 @@ class Quadrotor(ClosedLoop):
     keeps_inferred_arrivals = True
     keeps_claimed_variance = False  # no table shows them
     error_unit = "m"
+    topics_between_steps = ("/process", "/throttle")
     trajectory = (("x", "y"), ("x", "z"))
 
     def topics(self, parameters: Parameters) -> Fields:
