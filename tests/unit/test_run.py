@@ -139,6 +139,7 @@ def test_settings_may_be_read_in_any_way(read, monkeypatch):
 
 def test_a_slow_filter_shows_progress(monkeypatch, capsys):
     seconds = iter(range(0, 10_000, 4))
+    monkeypatch.setattr(faults, "PROGRESS_EVERY", 10.0)
     monkeypatch.setattr(faults.time, "monotonic", lambda: next(seconds))
     install(monkeypatch)
     run_mine()
