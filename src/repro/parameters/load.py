@@ -1,6 +1,7 @@
 """Parameters: every value with its source, validated, and resolved for each point of a study."""
 
 import itertools
+import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import SimpleNamespace
@@ -25,6 +26,14 @@ from repro.parameters.yaml_file import check_plain, read_yaml
 
 # Points whose names begin so take minutes: they run only where they are asked for.
 ON_REQUEST = "sensitivity-"
+
+
+READING = re.compile(r"(^|-)(reading|as-printed)-")  # in a point's name
+
+
+def is_reading(point: str) -> bool:
+    """Whether a point's name says that it is another reading of the paper."""
+    return on_request(point) or READING.search(point) is not None
 
 
 def on_request(point: str) -> bool:
@@ -100,10 +109,11 @@ class Run(Values):
 
 
 def first_of_families(points: Mapping[str, Point]) -> list[str]:
-    """The first point of each family."""
+    """The first point of each family that is no reading of another."""
     first: dict[str, str] = {}
     for name, point in points.items():
-        first.setdefault(point.family, name)
+        if not is_reading(name):
+            first.setdefault(point.family, name)
     return list(first.values())
 
 

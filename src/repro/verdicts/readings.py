@@ -1,17 +1,15 @@
 """Other readings of a paper: what each changes, and what comes out under it."""
 
-import re
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 
-from repro.parameters.load import on_request
+from repro.parameters.load import is_reading
 from repro.verdicts.published import KEYS, compare_value
 
 IDENTITY = ("filter", "metric", "component")  # of a statistic of a point
-READING = re.compile(r"(^|-)(reading|as-printed)-")  # in a point's name
 NOT_ASSUMED = {"trials"}  # differs between points without being an assumption about the paper
 
 # `parameters` and settings by filter (`filters`) of each point of a study, as JSON has them.
@@ -34,11 +32,6 @@ class Reading(NamedTuple):
     published: str  # as printed; empty if the paper has no value for the base
     base_verdict: str  # against the published value, or empty
     verdict: str
-
-
-def is_reading(point: str) -> bool:
-    """Whether a point's name says that it is another reading of the paper."""
-    return on_request(point) or READING.search(point) is not None
 
 
 def base_of(point: str, points: Points) -> tuple[str, dict[str, Any]]:
