@@ -7,6 +7,7 @@ min_version("9.18")
 include: "workflow/rules/common.smk"
 include: "workflow/rules/simulate.smk"
 include: "workflow/rules/filters.smk"
+include: "workflow/rules/listed.smk"
 include: "workflow/rules/papers/packet_delays.smk"
 include: "workflow/rules/papers/censored_network.smk"
 include: "workflow/rules/papers/unknown_losses.smk"

@@ -30,6 +30,11 @@ def named_filter(filter_: str | Any) -> tuple[str, Any]:
     return name, filter_
 
 
+def stream_of(name: str, module: Any) -> str:
+    """Name of a filter's random streams: its own, or that of the filters it is paired with."""
+    return f"filter:{getattr(module, 'STREAM', name)}"
+
+
 def _member(kind: str, dotted: str, needed: tuple[str, ...]) -> ModuleType:
     name, file = dotted.rsplit(".", 1)[1], f"src/{dotted.replace('.', '/')}.py"
     try:

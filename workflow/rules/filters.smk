@@ -265,30 +265,3 @@ use rule run_filter as prior with:
 use rule run_filter as prior_of_sensors with:
     output:
         runs("prior", studies=["ungm", "rss_2d", "rss_3d"], points="base"),
-
-
-# Filters that a study's parameter file lists under `run`: they need no rule of their own.
-for study, names in LISTED.items():
-
-    rule:
-        name:
-            f"listed_{study}"
-        input:
-            log=LAYOUT.log(),
-        output:
-            or_exit(REGISTRY.listed, study, names),
-        log:
-            LAYOUT.job_log("{filter}", "{study}", "{point}", "{shard}"),
-        benchmark:
-            LAYOUT.timing("{filter}", "{study}", "{point}", "{shard}")
-        group:
-            "point"
-        conda:
-            ENVIRONMENT
-        resources:
-            mem_mb=1500,
-        params:
-            settings=settings,
-            code=code("repro.runner", "repro.filters.{filter}"),
-        script:
-            "../scripts/run_filter.py"

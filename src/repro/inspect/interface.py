@@ -150,7 +150,7 @@ def estimate(
     _check_shapes(task, arrays, single)
     trials, steps, *_ = arrays["received"].shape
     numbers = np.arange(trials)
-    stream = f"filter:{getattr(module, 'STREAM', name)}"
+    stream = plugins.stream_of(name, module)
     block = Block(
         task,
         build(task, module, model, typed_settings(module, name, settings or {}, str(task))),

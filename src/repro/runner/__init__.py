@@ -37,7 +37,7 @@ def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, R
         trials = slice(first, first + size)
         numbers = log.trials[trials]
         # Filters that share a stream draw the same numbers.
-        stream = f"filter:{getattr(module, 'STREAM', name)}"
+        stream = plugins.stream_of(name, module)
         block = Block(
             task,
             built,
