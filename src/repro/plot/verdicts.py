@@ -27,8 +27,8 @@ def verdicts(results: Results, paper: str) -> Figure:
     exact = (values["their_error"] == 0) & (values["verdict"] == "match")
     shown = values.loc[~exact]
     rows = max(len(shown), len(claims), 4)
-    shares = {"width_ratios": [1, 1] if len(shown) > 4 else [1, 2]}
-    size = (11.0, 1.4 + 0.24 * rows)
+    shares = {"width_ratios": [1, 1.3] if len(shown) > 4 else [1, 2]}
+    size = (12.5, 1.4 + 0.24 * rows)
     if len(shown):
         drawn, (left, right) = style.figure(1, 2, size=size, gridspec_kw=shares)
         _draw_values(left, shown, list(exact).count(True))
@@ -72,7 +72,7 @@ def _draw_claims(axes: Axes, claims: pd.DataFrame, parts: pd.DataFrame, toleranc
         yticks=np.arange(len(names)),
         yticklabels=[f"{n}: {v}" for n, v in zip(names, claims["verdict"], strict=True)],
         xlim=(-LARGEST - 0.5, LARGEST + 0.5),
-        xlabel=f"standard errors in favour (grey: undecided, within {tolerance:g})",
+        xlabel=f"in favour, in standard errors (grey: within {tolerance:g})",
         title="Claims, every comparison",
     )
     axes.invert_yaxis()

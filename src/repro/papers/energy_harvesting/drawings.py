@@ -24,7 +24,7 @@ from repro.studies.families.signal_strength import SignalStrengthParameters
 from repro.tables.results import Results
 
 UNITS = {"position": "m", "velocity": "m/s"}
-EXPLAINED = f"bands ±{BAND} standard errors, dotted the median run"
+EXPLAINED = f"bands ±{BAND:g} standard errors, dotted the median run"
 OWN_LINES = ("--", "-.")
 SMALLEST_DRAWN = 1e-3  # lower end of a band that reaches zero, on a logarithmic axis
 
