@@ -224,8 +224,8 @@ def test_tables_have_every_filter_of_every_point(name, small):
 @pytest.mark.parametrize("name", PAPERS)
 def test_the_leaderboard_has_every_filter_and_knows_a_readers_own(name, small, tmp_path):
     built = small(name)
-    rankings = [built.results.layout.ranking(study) for study in built.paper.studies]
-    write_leaderboard(rankings, str(tmp_path / "board.csv"))
+    rankings = {study: built.results.layout.ranking(study) for study in built.paper.studies}
+    write_leaderboard(rankings, str(tmp_path / "board.csv"), str(tmp_path / "board.md"))
     board = pd.read_csv(tmp_path / "board.csv")
     assert set(board.loc[board["whose"] == "own", "filter"]) >= {EVERYWHERE}
     for study, points in built.results.catalogue.items():
@@ -286,8 +286,8 @@ def test_every_figure_is_drawn(script, small, judged, monkeypatch, tmp_path):
     built = needed(folder if folder in PAPERS else PAPERS[0])
     results = built.results
     if needs.get("leaderboard"):
-        rankings = [results.layout.ranking(study) for study in built.paper.studies]
-        write_leaderboard(rankings, results.layout.page("leaderboard.csv"))
+        rankings = {study: results.layout.ranking(study) for study in built.paper.studies}
+        write_leaderboard(rankings, results.layout.page("leaderboard.csv"), str(tmp_path / "b.md"))
     draw(script, results, tmp_path / "figure.png")
     assert (tmp_path / "figure.png").stat().st_size > 1000
 

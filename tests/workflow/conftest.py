@@ -112,7 +112,7 @@ class Project:
         shutil.rmtree(self.folder / "params/published")
         shutil.rmtree(self.folder / "figures")
         filters = self.folder / "workflow/rules/filters.smk"
-        rule = r"^use rule .*?\n\n\n"
+        rule = r"^use rule .*?(\n\n\n|\Z)"
         filters.write_text(re.sub(rule, "", filters.read_text(), flags=re.DOTALL | re.MULTILINE))
         snakefile = self.folder / "Snakefile"
         included = r'^include: "workflow/rules/papers/.*\n'

@@ -22,27 +22,29 @@ def test_lint_is_clean(project):
     assert "in a good condition" in project.snakemake("--lint")
 
 
-def test_a_paper_runs_end_to_end(project):
-    """One paper with few trials; a second run has nothing to do.
+def test_a_study_runs_end_to_end(trimmed):
+    """A study with few trials, up to its pictures; a second run has nothing to do.
 
-    CI runs all papers with all trials, up to diff, manifest and tally, before these tests.
+    CI runs all papers with all trials, up to diff, manifest and tally, before these tests; claims
+    and the other figures are in tests/papers.
     """
-    drawn = [*(f"fig{i:02d}" for i in range(1, 11)), "readings", "table01"]
-    written = ["claims/packet_delays.csv", "tables/packet_example.csv", "parameters.csv"]
-    targets = [f"smoke/figures/packet_delays/{name}.png" for name in drawn]
+    drawn = ["packet_delays/fig01", "packet_delays/fig02", "packet_delays/table01"]
+    drawn += [f"studies/linear_delays/{kind}" for kind in ("over_k", "over_sweep", "distribution")]
+    written = ["tables/packet_example.csv", "ranking/linear_delays/table.csv", "parameters.csv"]
+    targets = [f"smoke/figures/{name}.png" for name in drawn]
     targets += [f"smoke/results/{name}" for name in written]
     few = ("--config", "trials=6", "into=smoke")
-    project.snakemake(*targets, *few)
-    assert "Nothing to be done" in project.snakemake(*targets, *few)
-    assert all((project.folder / target).stat().st_size > 0 for target in targets)
+    trimmed.snakemake(*targets, *few)
+    assert "Nothing to be done" in trimmed.snakemake(*targets, *few)
+    assert all((trimmed.folder / target).stat().st_size > 0 for target in targets)
 
 
 def test_a_smoke_run_is_one_point_of_each_family(project):
-    """The whole graph but claims and diff; every filter that is registered runs."""
+    """The whole graph but claims and diff, and the filter that runs on readings alone."""
     profile = ("--profile", "profiles/smoke")
     planned = jobs_of(project.snakemake("-n", *profile))
     everything = jobs_of(project.snakemake("-n", "--config", "trials=6", "into=smoke"))
-    assert everything.keys() - planned.keys() == {"claims", "diff"}
+    assert everything.keys() - planned.keys() == {"claims", "diff", "emvf_realised"}
     assert sum(planned.values()) < 0.5 * sum(everything.values())
     output = project.snakemake("smoke/results/parameters.csv", *profile)
     assert "Everything: snakemake -j2" in output
@@ -53,7 +55,7 @@ def test_a_rebuild_is_byte_identical(trimmed):
     trimmed.snakemake(*targets)
     results = ("results/logs/*/*/*.mcap", "results/runs/*/*/*/*.npz", "results/[tc]*/*.csv")
     first = trimmed.bytes_of(*results, "figures/*/*.png")
-    assert len(first) == 2 + 12 + 2 + 1
+    assert len(first) == 2 + 14 + 2 + 1
     trimmed.snakemake(*targets, "--forceall")
     assert trimmed.bytes_of(*results, "figures/*/*.png") == first
 
