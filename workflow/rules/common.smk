@@ -55,6 +55,11 @@ STUDIES = {
     for paper in PAPERS.values()
     for study, points in paper.studies.items()
 }
+if RUN.one_point_per_family:
+    STUDIES = {
+        study: {name: point.shortened() for name, point in points.items()}
+        for study, points in STUDIES.items()
+    }
 DESCRIBED = {study: paper.described(study) for paper in PAPERS.values() for study in paper.studies}
 or_exit(check_shards, STUDIES, RUN.shards)
 LAYOUT, FIGURES = Layout(Path(RUN.into, "results")), str(Path(RUN.into, "figures"))
@@ -174,14 +179,15 @@ def study_figure_files():
 
 
 def is_drawn(needed):
-    """Whether a figure is part of a run; in a smoke run only if all of its points run."""
+    """Whether a figure is part of a run; in a smoke run only if all that it reads is there."""
     if needed.get("on_request"):
         return False
     if not SMOKE:
         return True
     points = needed.get("points", {})
     ran = REGISTRY.catalogue(*points)
-    return not needed.get("diff") and all(ran[s].keys() >= {*points[s]} for s in points)
+    whole = needed.get("diff") or needed.get("tables")  # of more than one point of a family
+    return not whole and all(ran[s].keys() >= {*points[s]} for s in points)
 
 
 def figure_inputs(wildcards):

@@ -41,6 +41,9 @@ def on_request(point: str) -> bool:
     return point.startswith(ON_REQUEST)
 
 
+SMOKE_STEPS = 300  # the quadrotor alone has more
+
+
 class Point(NamedTuple):
     """The values of one point of a study, sources stripped."""
 
@@ -52,6 +55,11 @@ class Point(NamedTuple):
     def with_trials(self, trials: int) -> "Point":
         """The same point with another number of trials."""
         return self._replace(parameters=self.parameters.model_copy(update={"trials": trials}))
+
+    def shortened(self) -> "Point":
+        """The same point with as few steps as a smoke run has."""
+        steps = min(self.parameters.steps, SMOKE_STEPS)
+        return self._replace(parameters=self.parameters.model_copy(update={"steps": steps}))
 
 
 class Paper(NamedTuple):
