@@ -9,27 +9,40 @@ from pydantic import Field
 from repro.parameters.values import ParameterError, Probability, Values
 
 Particles = Annotated[int, Field(ge=1, description="number of particles of a trial")]
-Resampling = Literal["systematic", "multinomial"]
+Resampling = Annotated[
+    Literal["systematic", "multinomial"], Field(description="scheme of resampling")
+]
 
 
 class MinimumVariance(Values):
     """OMVF [packet_delays Theorem 1]."""
 
-    alpha_rule: Literal["sum to one", "8b"] = "sum to one"
-    qbar_sign: Literal[1, -1] = 1
+    alpha_rule: Annotated[
+        Literal["sum to one", "8b"],
+        Field(description="mean weights by (8b) and (8c), or by (8b) alone"),
+    ] = "sum to one"
+    qbar_sign: Annotated[Literal[1, -1], Field(description="sign of Qbar")] = 1
 
 
 class ExtendedMinimumVariance(MinimumVariance):
     """EMVF [packet_delays Theorem 2]."""
 
-    initial_second_moment: Literal["theorem_2", "P0", "matched"] = "theorem_2"
-    late_measurement: Literal["own sensor", "current sensor"] = "own sensor"
+    initial_second_moment: Annotated[
+        Literal["theorem_2", "P0", "matched"],
+        Field(description="S(0), second moment of the initial state"),
+    ] = "theorem_2"
+    late_measurement: Annotated[
+        Literal["own sensor", "current sensor"],
+        Field(description="sensor whose range a late packet holds"),
+    ] = "own sensor"
 
 
 class RealisedIndicators(ExtendedMinimumVariance):
     """EMVF on the arrivals that happened [packet_delays (22)]."""
 
-    indicator_of: Literal["k", "k+1"] = "k"
+    indicator_of: Annotated[
+        Literal["k", "k+1"], Field(description="step whose arrivals are the indicators of (22)")
+    ] = "k"
 
 
 class ProtocolParticles(Values):
@@ -37,7 +50,9 @@ class ProtocolParticles(Values):
 
     particles: Annotated[int, Field(ge=2, description="number of particles of a node")] = 1000
     resampling: Resampling = "systematic"
-    coupling_drawn_per: Literal["particle", "step"] = "particle"
+    coupling_drawn_per: Annotated[
+        Literal["particle", "step"], Field(description="what shares a draw of the coupling")
+    ] = "particle"
 
 
 class JointBootstrap(Values):
@@ -50,13 +65,18 @@ class JointBootstrap(Values):
 class Bootstrap(JointBootstrap):
     """PF-ROSS-EH and the filters it is compared with [energy_harvesting Algorithm 1]."""
 
-    weights: Literal["logarithmic", "linear"] = "logarithmic"
+    weights: Annotated[
+        Literal["logarithmic", "linear"], Field(description="scale in which weights are multiplied")
+    ] = "logarithmic"
 
 
 class MergedHypotheses(Values):
     """BKF-II [unknown_losses Algorithm 2]."""
 
-    prior: Literal["theta", "lambda(k-1)"] = "theta"
+    prior: Annotated[
+        Literal["theta", "lambda(k-1)"],
+        Field(description="prior of gamma(k): of the loss process, or lambda(k-1)"),
+    ] = "theta"
 
 
 class RaoBlackwell(Values):
@@ -65,8 +85,14 @@ class RaoBlackwell(Values):
     particles: Particles = 200
     threshold: Annotated[Probability, Field(description="N_T as a share of the particles")] = 0.5
     resampling: Resampling = "multinomial"
-    proposal: Literal["prior", "optimal"] = "prior"
-    covariance: Literal["with spread", "printed"] = "with spread"
+    proposal: Annotated[
+        Literal["prior", "optimal"],
+        Field(description="law that gamma(k) of a particle is drawn from"),
+    ] = "prior"
+    covariance: Annotated[
+        Literal["with spread", "printed"],
+        Field(description="of the mixture, or as printed in (17)"),
+    ] = "with spread"
 
 
 SETTINGS: dict[str, type[Values]] = {
