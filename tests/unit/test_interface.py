@@ -101,6 +101,14 @@ def test_a_filter_without_anything_optional_runs_and_is_compared(radar):
     assert table["verdict"].iloc[0] == "best" and table["difference"].iloc[0] == 0.0
 
 
+def test_the_tolerance_of_a_comparison_is_that_of_the_run(radar, monkeypatch):
+    filters = {"mine": Still, "iekf": "iekf"}
+    assert repro.compare(filters, radar).loc["mine", "verdict"] == "worse"
+    lax = SimpleNamespace(tolerance=1e9)
+    monkeypatch.setattr("repro.inspect.interface.load_run", lambda path, overrides: lax)
+    assert repro.compare(filters, radar).loc["mine", "verdict"] == "not decided"
+
+
 def test_differences_are_paired(radar):
     table = repro.compare({"mine": Still, "iekf": "iekf"}, radar)
     roots = {name: repro.run(f, radar).squared_error for name, f in (("m", Still), ("i", "iekf"))}

@@ -190,18 +190,21 @@ def _check_shapes(task: Task, arrays: Mapping[str, np.ndarray], single: bool) ->
         raise ReproError(f"{task}: arrival must be {leading}: {shapes}")
 
 
-def compare(filters: Mapping[str, Any], log: Log, tolerance: float = 3.0) -> pd.DataFrame:
+def compare(filters: Mapping[str, Any], log: Log, tolerance: float | None = None) -> pd.DataFrame:
     """Filters on one log, the best first, with paired differences to the best.
 
     `filters` maps a name of one's choice to a filter (see `run`), or to a filter and its settings.
     Columns: rmse (mean over k of the root of the mean squared error over the trials) with its
     standard error, median of the single runs, the difference to the best with its paired standard
-    error, and the verdict at `tolerance` standard errors: best, worse, not decided.
+    error, and the verdict at `tolerance` standard errors (by default that of
+    params/run.yaml): best, worse, not decided.
     """
     if not filters:
         raise ReproError("compare: no filter is given")
     if "/truth" not in log.values and not isinstance(plugins.study(log.study), ClosedLoop):
         raise ReproError("compare: the log has no /truth, so there are no errors to compare")
+    if tolerance is None:
+        tolerance = load_run(PARAMETERS / "run.yaml", {}).tolerance
     found = {}
     for name, given in filters.items():
         filter_, settings = given if isinstance(given, tuple) else (given, {})
