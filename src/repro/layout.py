@@ -21,16 +21,10 @@ class Layout:
         return self._at("logs", study, point, f"{shard}.mcap")
 
     def run(
-        self, study="{study}", point="{point}", filter_="{filter}", shard: Number = "{shard}"
+        self, study="{study}", batch="{batch}", filter_="{filter}", shard: Number = "{shard}"
     ) -> str:
-        """Errors of a filter on a log."""
-        return self._at("runs", study, point, filter_, f"{shard}.npz")
-
-    def flight(
-        self, study="{study}", point="{point}", filter_="{filter}", shard: Number = "{shard}"
-    ) -> str:
-        """What was flown on a filter's estimates, in a closed loop."""
-        return self._at("flights", study, point, filter_, f"{shard}.mcap")
+        """Errors of a filter on the logs of a batch of points."""
+        return self._at("runs", study, batch, filter_, f"{shard}.npz")
 
     def table(self, name="{study}") -> str:
         """Table of a study, or one computed without trials."""

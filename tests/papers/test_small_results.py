@@ -21,7 +21,8 @@ from repro.inspect.view import write_view
 from repro.pages.assumptions import write_assumptions
 from repro.pages.leaderboard import write_leaderboard
 from repro.pages.verdicts import write_diff
-from repro.parameters.load import Paper, load_paper, load_run, on_request
+from repro.parameters.load import Paper, load_paper, load_run
+from repro.parameters.point_names import batch_of, on_request
 from repro.plot import study_figures, style
 from repro.plot.draw import draw
 from repro.runner import run_filter

@@ -22,9 +22,9 @@ from repro.parameters.load import (
     first_of_families,
     load_paper,
     load_run,
-    on_request,
     user_values,
 )
+from repro.parameters.point_names import on_request
 from repro.workflow.code import code_digest, code_files, constants
 from repro.workflow.lock import hold
 from repro.workflow.registry import Registry
@@ -83,6 +83,7 @@ ENVIRONMENT = str(Path(workflow.basedir, "workflow/envs/repro.yaml"))
 wildcard_constraints:
     study="[a-z0-9_]+",
     point="[^/]+",
+    batch="[a-z]+",
     filter="[a-z0-9_]+",
     shard="[0-9]+",
     paper="[a-z0-9_]+",
@@ -94,14 +95,23 @@ def runs(name, studies, points="*", skip=()):
     return or_exit(REGISTRY.runs, name, studies, points, skip)
 
 
-def flights(name, studies):
-    """Second output where a filter closes a loop: the log of what was flown."""
-    return REGISTRY.flights(name, studies)
+def filtered_points(wildcards):
+    """Points of a batch that the filter runs on, with its settings: its rule's, else params/'s."""
+    name, study = wildcards.filter, wildcards.study
+    return {
+        point: REGISTRY.settings(name, study, point)
+        for point in REGISTRY.in_batch(name, study, wildcards.batch)
+    }
 
 
-def settings(wildcards):
-    """Settings of a filter at the point: its rule's, else from params/."""
-    return REGISTRY.settings(wildcards.filter, wildcards.study, wildcards.point)
+def filtered_logs(wildcards):
+    """Logs of those points."""
+    return [LAYOUT.log(wildcards.study, p, wildcards.shard) for p in filtered_points(wildcards)]
+
+
+def point_filters(wildcards):
+    """Settings of each filter of a point."""
+    return REGISTRY.all_settings(wildcards.study)[wildcards.study].get(wildcards.point, {})
 
 
 def code(*modules):
@@ -134,11 +144,18 @@ def results_of(studies, requested=False):
     }
 
 
-def trial_range(wildcards):
-    """First and last + 1 of the trials of a shard."""
-    trials = STUDIES[wildcards.study][wildcards.point].parameters.trials
-    shard = int(wildcards.shard)
-    return shard * trials // RUN.shards, (shard + 1) * trials // RUN.shards
+def simulated_points(study, points, shard):
+    """Parameters, and first and last + 1 of the trials, of a shard of the points."""
+    of_points = {point: STUDIES[study][point].parameters for point in points}
+    return {
+        point: {
+            "parameters": parameters.plain(),
+            "trials": [
+                (shard + i) * parameters.trials // RUN.shards for i in (0, 1)
+            ],
+        }
+        for point, parameters in of_points.items()
+    }
 
 
 def studies_of(paper):
@@ -155,18 +172,22 @@ def table_files(paper):
     return [LAYOUT.table(name) for name in (*PAPERS[paper].studies, *COMPUTED_TABLES[paper])]
 
 
-def needs(paper, figure):
+def figure_script(name):
+    """The script of a figure, named as PAPER/FIGURE; exits in one line if there is none."""
+    script = f"figures/{name}.py"
+    if not Path(script).exists():
+        sys.exit(f"error: --config: figure: there is no script {script}; give figure=PAPER/FIGURE")
+    return script
+
+
+def needs(name):
     """What a figure's script says that it reads."""
-    return constants(f"figures/{paper}/{figure}.py")["NEEDS"]
+    return constants(figure_script(name))["NEEDS"]
 
 
-def figure_files():
-    """Pictures of every figure script that is not drawn on request: the papers', the overview's."""
-    return [
-        f"{FIGURES}/{path.parent.name}/{path.stem}.png"
-        for path in sorted(Path("figures").glob("*/*.py"))
-        if is_drawn(needs(path.parent.name, path.stem))
-    ]
+def caption(name):
+    """What a figure's script says that it shows."""
+    return constants(figure_script(name))["CAPTION"]
 
 
 def study_figure_files():
@@ -178,32 +199,59 @@ def study_figure_files():
     ]
 
 
-def is_drawn(needed):
+def is_drawn(name):
     """Whether a figure is part of a run; in a smoke run only if all that it reads is there."""
-    if needed.get("on_request"):
-        return False
+    needed = needs(name)
     if not SMOKE:
-        return True
+        return not needed.get("on_request")
     points = needed.get("points", {})
     ran = REGISTRY.catalogue(*points)
     whole = needed.get("diff") or needed.get("tables")  # of more than one point of a family
     return not whole and all(ran[s].keys() >= {*points[s]} for s in points)
 
 
-def figure_inputs(wildcards):
-    """The files that a figure's script says that it reads."""
-    needed = needs(wildcards.paper, wildcards.figure)
-    tables = needed.get("tables", [])
-    files = [LAYOUT.table(study) for study in tables]
-    files += [LAYOUT.curves(study) for study in tables if study in STUDIES]
-    for study, points in needed.get("points", {}).items():
-        files += [*REGISTRY.log_files(study, points), *REGISTRY.run_files(study, points)]
-    files += needed.get("measured", [])
-    if needed.get("leaderboard"):
-        files += [LAYOUT.page("leaderboard.csv")]
-    if needed.get("diff"):
-        files += [LAYOUT.page("diff.csv"), *(LAYOUT.claims(paper) for paper in JUDGED)]
-    return files
+def sheet(name):
+    """Figures of a paper that read the same studies are drawn in one job, which is named so."""
+    needed, paper = needs(name), Path(name).parent.name
+    if needed.get("on_request"):
+        return name.replace("/", "_")
+    if needed.get("diff") or needed.get("leaderboard"):
+        return f"{paper}_verdicts"
+    read = {*needed.get("tables", []), *needed.get("points", {})} & STUDIES.keys()
+    return "_".join([paper, *sorted(read)])
+
+
+def sheets():
+    """Figures by the job that draws them: those of a run, and those that are drawn on request."""
+    found = {}
+    for path in sorted(Path("figures").glob("*/*.py")):
+        name = f"{path.parent.name}/{path.stem}"
+        if is_drawn(name) or needs(name).get("on_request"):
+            found.setdefault(sheet(name), []).append(name)
+    return found
+
+
+def figure_files():
+    """Pictures of the figures that are part of a run."""
+    return [f"{FIGURES}/{name}.png" for names in SHEETS.values() for name in filter(is_drawn, names)]
+
+
+def figure_inputs(names):
+    """The files that the figures' scripts say that they read."""
+    files = {}
+    for needed in map(needs, names):
+        tables = needed.get("tables", [])
+        found = [LAYOUT.table(study) for study in tables]
+        found += [LAYOUT.curves(study) for study in tables if study in STUDIES]
+        for study, points in needed.get("points", {}).items():
+            found += [*REGISTRY.log_files(study, points), *REGISTRY.run_files(study, points)]
+        found += needed.get("measured", [])
+        if needed.get("leaderboard"):
+            found += [LAYOUT.page("leaderboard.csv")]
+        if needed.get("diff"):
+            found += [LAYOUT.page("diff.csv"), *(LAYOUT.claims(paper) for paper in JUDGED)]
+        files |= dict.fromkeys(found)
+    return list(files)
 
 
 def measured_files(paper):
@@ -211,17 +259,19 @@ def measured_files(paper):
     return sorted(str(path) for path in Path("params/measured").glob(f"{paper}*.csv"))
 
 
-def user_log(key):
-    """What --config says of a log recorded elsewhere: log, study or point."""
+def asked_for(key):
+    """What --config says of a figure, or of a log recorded elsewhere."""
     value = getattr(RUN, key)
     if value is None:
-        sys.exit(f"error: --config: '{key}' is missing; give log=PATH study=STUDY point=POINT")
+        of_log = "log=PATH study=STUDY point=POINT"
+        usage = {"figure": "figure=PAPER/FIGURE"}.get(key, of_log)
+        sys.exit(f"error: --config: '{key}' is missing; give {usage}")
     return value
 
 
 def user_log_point():
     """The resolved point that a log recorded elsewhere is of."""
-    study, point = user_log("study"), user_log("point")
+    study, point = asked_for("study"), asked_for("point")
     if point not in STUDIES.get(study, {}):
         known = ", ".join(STUDIES.get(study, STUDIES))
         sys.exit(f"error: --config: there is no study '{study}' with a point '{point}': {known}")

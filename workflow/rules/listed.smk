@@ -5,21 +5,19 @@ for study, names in LISTED.items():
         name:
             f"listed_{study}"
         input:
-            log=LAYOUT.log(),
+            logs=filtered_logs,
         output:
             or_exit(REGISTRY.listed, study, names),
         log:
-            LAYOUT.job_log("{filter}", "{study}", "{point}", "{shard}"),
+            LAYOUT.job_log("{filter}", "{study}", "{batch}", "{shard}"),
         benchmark:
-            LAYOUT.timing("{filter}", "{study}", "{point}", "{shard}")
-        group:
-            "point"
+            LAYOUT.timing("{filter}", "{study}", "{batch}", "{shard}")
         conda:
             ENVIRONMENT
         resources:
             mem_mb=1500,
         params:
-            settings=settings,
+            points=filtered_points,
             code=code("repro.runner", "repro.filters.{filter}"),
         script:
             "../scripts/run_filter.py"

@@ -105,8 +105,6 @@ rule timings:
 rule view:
     input:
         logs=lambda wildcards: REGISTRY.log_files(wildcards.study, [wildcards.point]),
-        runs=lambda wildcards: REGISTRY.run_files(wildcards.study, [wildcards.point]),
-        flights=lambda wildcards: REGISTRY.flight_files(wildcards.study, wildcards.point),
     output:
         view=f"{LAYOUT.view()}.mcap",
         layout=f"{LAYOUT.view()}.layout.json",
@@ -118,7 +116,13 @@ rule view:
         ENVIRONMENT
     params:
         results=lambda wildcards: results_of([wildcards.study]),
-        code=code("repro.inspect.view"),
+        filters=point_filters,
+        code=lambda wildcards: or_exit(
+            code_digest,
+            "repro.inspect.view",
+            *(f"repro.filters.{name}" for name in point_filters(wildcards)),
+            f"repro.studies.{wildcards.study}",
+        ),
     script:
         "../scripts/view.py"
 
@@ -140,7 +144,7 @@ rule archive:
 
 rule user_log:
     input:
-        log=lambda wildcards: user_log("log"),
+        log=lambda wildcards: asked_for("log"),
     output:
         LAYOUT.user_estimates(),
     log:
@@ -151,18 +155,18 @@ rule user_log:
         ENVIRONMENT
     params:
         user_log=lambda wildcards: {
-            "study": user_log("study"),
-            "point": user_log("point"),
+            "study": asked_for("study"),
+            "point": asked_for("point"),
             "parameters": user_log_point().parameters.plain(),
             "changes": or_exit(user_values, RUN.parameters),
             "seed": RUN.root_seed,
-            "settings": REGISTRY.settings(wildcards.filter, user_log("study"), user_log("point")),
+            "settings": REGISTRY.settings(wildcards.filter, asked_for("study"), asked_for("point")),
         },
         code=lambda wildcards: or_exit(
             code_digest,
             "repro.inspect.user_log",
             f"repro.filters.{wildcards.filter}",
-            f"repro.studies.{user_log('study')}",
+            f"repro.studies.{asked_for('study')}",
         ),
     script:
         "../scripts/user_log.py"

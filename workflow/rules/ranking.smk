@@ -71,7 +71,7 @@ else:
         conda:
             ENVIRONMENT
         params:
-            study=user_log("study"),
+            study=asked_for("study"),
             point=RUN.point,
             filter=RUN.filter,
             settings=REGISTRY.settings(RUN.filter, RUN.study or ""),

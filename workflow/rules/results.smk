@@ -1,6 +1,7 @@
 # Stops 4 to 6 of the data: tables, claims, diff, figures.
 # All rules of filters are above: in filters.smk, or in a file that the Snakefile includes before.
 or_exit(REGISTRY.read_settings, workflow.rules)
+SHEETS = sheets()
 
 
 rule table:
@@ -93,32 +94,52 @@ rule diff:
         "../scripts/diff.py"
 
 
-rule figure:
+# Several figures in one job, as most of the time of a single one would be imports.
+for drawn, names in SHEETS.items():
+
+    rule:
+        name:
+            f"figures_{drawn}"
+        input:
+            figure_inputs(names),
+            scripts=[figure_script(name) for name in names],
+        output:
+            [
+                report(
+                    f"{FIGURES}/{name}.png",
+                    category="Figures",
+                    subcategory=Path(name).parent.name,
+                    labels={"figure": Path(name).name, "caption": caption(name)},
+                )
+                for name in names
+            ],
+        log:
+            LAYOUT.job_log("figures", drawn),
+        benchmark:
+            LAYOUT.timing("figures", drawn)
+        conda:
+            ENVIRONMENT
+        params:
+            results=results_of(studies_of(Path(names[0]).parent.name)),
+            code=code("repro.plot.draw", *map(figure_script, names)),
+        script:
+            "../scripts/figures.py"
+
+
+# One figure, to look at while one works on its script: --config figure=PAPER/FIGURE
+rule draw:
     input:
-        figure_inputs,
-        script="figures/{paper}/{figure}.py",
-    output:
-        report(
-            f"{FIGURES}/{{paper}}/{{figure}}.png",
-            category="Figures",
-            subcategory="{paper}",
-            labels={"figure": "{figure}"},
-            caption="../report/figure.rst",
-        ),
+        lambda wildcards: figure_inputs([asked_for("figure")]),
+        scripts=lambda wildcards: [figure_script(asked_for("figure"))],
     log:
-        LAYOUT.job_log("figure", "{paper}", "{figure}"),
-    benchmark:
-        LAYOUT.timing("figure", "{paper}", "{figure}")
+        LAYOUT.job_log("draw"),
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: results_of(studies_of(wildcards.paper)),
-        caption=lambda wildcards: constants(f"figures/{wildcards.paper}/{wildcards.figure}.py")[
-            "CAPTION"
-        ],
-        code=code("repro.plot.draw", "figures/{paper}/{figure}.py"),
+        results=lambda wildcards: results_of(studies_of(Path(asked_for("figure")).parent.name)),
+        pictures=lambda wildcards: [f"{FIGURES}/{asked_for('figure')}.png"],
     script:
-        "../scripts/figure.py"
+        "../scripts/figures.py"
 
 
 rule parameters:

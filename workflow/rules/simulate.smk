@@ -1,19 +1,23 @@
-# Stop 2 of the data: ground truth and impaired measurements as logs.
-rule simulate:
-    output:
-        log=LAYOUT.log(),
-    log:
-        LAYOUT.job_log("simulate", "{study}", "{point}", "{shard}"),
-    benchmark:
-        LAYOUT.timing("simulate", "{study}", "{point}", "{shard}")
-    group:
-        "point"
-    conda:
-        ENVIRONMENT
-    params:
-        parameters=lambda wildcards: STUDIES[wildcards.study][wildcards.point].parameters.plain(),
-        seed=RUN.root_seed,
-        trials=trial_range,
-        code=code("repro.simulate"),
-    script:
-        "../scripts/simulate.py"
+# Stop 2 of the data: ground truth and impaired measurements as logs, those of a batch in one job.
+for study, batch, points in REGISTRY.batches():
+
+    rule:
+        name:
+            f"simulate_{study}_{batch}"
+        output:
+            [LAYOUT.log(study, point) for point in points],
+        log:
+            LAYOUT.job_log("simulate", study, batch, "{shard}"),
+        benchmark:
+            LAYOUT.timing("simulate", study, batch, "{shard}")
+        conda:
+            ENVIRONMENT
+        params:
+            study=study,
+            points=lambda wildcards, study=study, points=points: simulated_points(
+                study, points, int(wildcards.shard)
+            ),
+            seed=RUN.root_seed,
+            code=code("repro.simulate", f"repro.studies.{study}"),
+        script:
+            "../scripts/simulate.py"

@@ -1,14 +1,7 @@
 from repro.runner import run_filter
 from repro.workflow.job import job
 
-at, output = snakemake.wildcards, snakemake.output
-with job(snakemake.log[0]):
-    run_filter(
-        snakemake.input.log,
-        at.study,
-        at.point,
-        at.filter,
-        snakemake.params.settings,
-        output[0],
-        output.get("flight"),
-    )
+at, points = snakemake.wildcards, snakemake.params.points
+with job(snakemake.log[0]) as usage:
+    logs = dict(zip(points, snakemake.input.logs, strict=True))
+    usage.of_points = run_filter(logs, at.study, at.filter, points, snakemake.output[0])

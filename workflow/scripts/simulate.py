@@ -1,8 +1,7 @@
 from repro.simulate import simulate
 from repro.workflow.job import job
 
-at, params = snakemake.wildcards, snakemake.params
+params = snakemake.params
 with job(snakemake.log[0]):
-    simulate(
-        at.study, at.point, params.parameters, params.seed, params.trials, snakemake.output.log
-    )
+    for path, (point, given) in zip(snakemake.output, params.points.items(), strict=True):
+        simulate(params.study, point, given["parameters"], params.seed, given["trials"], path)

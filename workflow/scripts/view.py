@@ -4,5 +4,5 @@ from repro.workflow.job import job
 
 at, files = snakemake.wildcards, snakemake.output
 with job(snakemake.log[0]):
-    results = Results(**snakemake.params.results)
-    write_view(results, at.study, at.point, int(at.trial), files.view, files.layout)
+    log = Results(**snakemake.params.results).log(at.study, at.point)
+    write_view(log, snakemake.params.filters, int(at.trial), files.view, files.layout)

@@ -8,7 +8,8 @@ import pandas as pd
 from repro import plugins
 from repro.errors import ReproError
 from repro.inspect.interface import paper_of
-from repro.parameters.load import Point, on_request
+from repro.parameters.load import Point
+from repro.parameters.point_names import on_request
 from repro.runner import run
 from repro.simulate import simulated
 from repro.statistics.shards import Columns

@@ -2,6 +2,7 @@
 
 import itertools
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,34 +12,35 @@ from repro import plugins
 from repro.atomic import atomic_write
 from repro.errors import ReproError
 from repro.logs import Log, write_log
+from repro.runner import flown, run
 from repro.studies import ClosedLoop
-from repro.tables.results import Results
 
 LAYOUT = "foxglove-layout.json"  # the layout as an attachment of the view
 
 
-def trial_view(results: Results, study: str, point: str, trial: int) -> Log:
+Settings = Mapping[str, dict[str, Any]]  # of each filter
+
+
+def trial_view(log: Log, filters: Settings, trial: int) -> Log:
     """The log of one trial with the topics /estimate/<filter> and /error/<filter> added.
 
     Both have the fields of /truth. In a closed loop each filter has its own truth, and the topics
-    of its flight end in its name. Raises ReproError if the point has no such trial.
+    of its flight end in its name. The filters run here once more, on this trial alone, for a run
+    depends on no other. Raises ReproError if the point has no such trial.
     """
-    log = results.log(study, point)
     if trial not in log.trials:
         last = log.trials[-1]
-        raise ReproError(f"trial {trial}: {study}, {point} has the trials 0 to {last}")
+        raise ReproError(f"trial {trial}: {log.study}, {log.point} has the trials 0 to {last}")
     at = int(np.flatnonzero(log.trials == trial)[0])
-    place = slice(at, at + 1)
-    add = _add_flight if isinstance(plugins.study(study), ClosedLoop) else _add_estimate
-    view = _only(log, place)
-    for filter_ in results.filters(study, point):
-        view = add(view, results, filter_, place)
+    alone = log._replace(
+        trials=log.trials[at : at + 1],
+        values={topic: values[at : at + 1] for topic, values in log.values.items()},
+    )
+    add = _add_flight if isinstance(plugins.study(log.study), ClosedLoop) else _add_estimate
+    view = alone
+    for name, settings in filters.items():
+        view = add(view, alone, name, settings)
     return view
-
-
-def _only(log: Log, trials: slice) -> Log:
-    values = {topic: values[trials] for topic, values in log.values.items()}
-    return log._replace(trials=log.trials[trials], values=values)
 
 
 def _with(view: Log, fields: tuple[str, ...], topics: dict[str, np.ndarray]) -> Log:
@@ -47,27 +49,27 @@ def _with(view: Log, fields: tuple[str, ...], topics: dict[str, np.ndarray]) -> 
     )
 
 
-def _add_estimate(view: Log, results: Results, filter_: str, place: slice) -> Log:
-    error = results.runs(view.study, view.point, filter_).error[place]
-    topics = {f"/estimate/{filter_}": view.values["/truth"] + error, f"/error/{filter_}": error}
+def _add_estimate(view: Log, log: Log, name: str, settings: dict[str, Any]) -> Log:
+    estimate, runs = run(log, name, settings)
+    topics = {f"/estimate/{name}": estimate, f"/error/{name}": runs.error}
     return _with(view, view.fields["/truth"], topics)
 
 
-def _add_flight(view: Log, results: Results, filter_: str, place: slice) -> Log:
-    flown = _only(results.flight(view.study, view.point, filter_), place)
-    for topic, values in flown.values.items():
-        name = topic if topic == "/reference" else f"{topic}/{filter_}"
-        view = _with(view, flown.fields[topic], {name: values})
-    error = flown.values["/estimate"] - flown.values["/truth"]
-    return _with(view, flown.fields["/truth"], {f"/error/{filter_}": error})
+def _add_flight(view: Log, log: Log, name: str, settings: dict[str, Any]) -> Log:
+    flight = flown(log, name, settings)
+    for topic, values in flight.values.items():
+        shown = topic if topic == "/reference" else f"{topic}/{name}"
+        view = _with(view, flight.fields[topic], {shown: values})
+    error = flight.values["/estimate"] - flight.values["/truth"]
+    return _with(view, flight.fields["/truth"], {f"/error/{name}": error})
 
 
 def write_view(
-    results: Results, study: str, point: str, trial: int, path: str | Path, layout: str | Path
+    log: Log, filters: Settings, trial: int, path: str | Path, layout: str | Path
 ) -> None:
     """Write the view and its Foxglove layout, which the view also carries as an attachment."""
-    view = trial_view(results, study, point, trial)
-    scenario = plugins.study(study)
+    view = trial_view(log, filters, trial)
+    scenario = plugins.study(view.study)
     drawn = json.dumps(foxglove_layout(view, scenario.trajectory), indent=1)
     with atomic_write(layout) as part:
         part.write_text(drawn + "\n")

@@ -8,7 +8,8 @@ import pandas as pd
 
 from repro.atomic import atomic_write
 from repro.pages.markdown import markdown_table
-from repro.parameters.load import on_request, sources
+from repro.parameters.load import sources
+from repro.parameters.point_names import on_request
 from repro.verdicts.published import read_published
 from repro.verdicts.readings import IDENTITY, Reading, readings
 

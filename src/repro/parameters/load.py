@@ -1,7 +1,6 @@
 """Parameters: every value with its source, validated, and resolved for each point of a study."""
 
 import itertools
-import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import SimpleNamespace
@@ -20,26 +19,10 @@ from repro.parameters.paper_file import (
     every_value,
     plain,
 )
+from repro.parameters.point_names import is_reading
 from repro.parameters.settings import checked_settings
 from repro.parameters.values import ParameterError, PointParameters, Positive, Values
 from repro.parameters.yaml_file import check_plain, read_yaml
-
-# Points whose names begin so take minutes: they run only where they are asked for.
-ON_REQUEST = "sensitivity-"
-
-
-READING = re.compile(r"(^|-)(reading|as-printed)-")  # in a point's name
-
-
-def is_reading(point: str) -> bool:
-    """Whether a point's name says that it is another reading of the paper."""
-    return on_request(point) or READING.search(point) is not None
-
-
-def on_request(point: str) -> bool:
-    """Whether a point is left out of the ordinary run."""
-    return point.startswith(ON_REQUEST)
-
 
 SMOKE_STEPS = 300  # the quadrotor alone has more
 
@@ -111,6 +94,7 @@ class Run(Values):
         ]
         | None
     ) = None
+    figure: Annotated[str, Field(description="figure to draw, as PAPER/FIGURE")] | None = None
     filter: Annotated[str, Field(description="filter that the leaderboard is asked for")] | None = (
         None
     )

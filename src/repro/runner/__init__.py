@@ -1,5 +1,7 @@
 """Run one filter over one log, batched over trials."""
 
+import time
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -9,11 +11,11 @@ from repro import plugins
 from repro.atomic import atomic_write
 from repro.errors import ReproError, computing
 from repro.filters import Filter
-from repro.logs import Log, read_log, write_log
+from repro.logs import Log, read_log
 from repro.parameters.settings import PlainSettings, typed_settings
 from repro.runner.block import Block
 from repro.runner.faults import Progress, Task, inside
-from repro.statistics.runs import Runs
+from repro.statistics.runs import Runs, RunsWriter
 from repro.streams import Streams
 from repro.studies import ClosedLoop, Study
 
@@ -101,29 +103,30 @@ def _claimed(of_blocks: list[np.ndarray | None]) -> np.ndarray | None:
 
 
 def run_filter(
-    log_path: str,
-    study: str,
-    point: str,
-    name: str,
-    settings: dict[str, Any],
-    path: str | Path,
-    flight_path: str | Path | None = None,
-) -> None:
-    """Read a log, run the filter and write its runs; the file appears whole or not at all.
+    logs: Mapping[str, str], study: str, name: str, settings: Mapping[str, Any], path: str | Path
+) -> dict[str, float]:
+    """Run the filter on one log after another and write all runs; the file appears whole or not.
 
-    A closed loop writes the log of what was flown to `flight_path`.
+    `logs` and `settings` are by point. Returns the CPU seconds that each point took.
     """
-    log = read_checked_log(log_path, study, point)
-    estimate, runs = run(log, name, settings)
-    if flight_path is not None:
-        loop = plugins.study(study)
-        assert isinstance(loop, ClosedLoop)
-        write_log(flight_path, loop.flight(log, estimate, runs), loop.period(log.parameters))
-    arrays: dict[str, Any] = {f"recorded_{key}": value for key, value in runs.recorded.items()}
-    if runs.claimed is not None:
-        arrays["claimed"] = runs.claimed
+    seconds = {}
     with atomic_write(path) as part, part.open("wb") as stream:
-        np.savez(stream, trials=log.trials, error=runs.error, degenerate=runs.degenerate, **arrays)
+        writer = RunsWriter(stream)
+        for point, log_path in logs.items():
+            begun = time.process_time()
+            _, runs = run(read_checked_log(log_path, study, point), name, settings[point])
+            writer.add(point, runs)
+            seconds[point] = time.process_time() - begun
+        writer.close()
+    return seconds
+
+
+def flown(log: Log, filter_: Any, settings: dict[str, Any]) -> Log:
+    """The log of what happens on a filter's estimates, in a closed loop."""
+    loop = plugins.study(log.study)
+    assert isinstance(loop, ClosedLoop)
+    estimate, runs = run(log, filter_, settings)
+    return loop.flight(log, estimate, runs)
 
 
 def read_checked_log(path: str, study: str, point: str) -> Log:

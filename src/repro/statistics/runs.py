@@ -1,6 +1,8 @@
-"""The result of a filter on the trials of a point."""
+"""The result of a filter on the trials of a point, and the file that holds those of a batch."""
 
-from typing import NamedTuple
+import zipfile
+from pathlib import Path
+from typing import BinaryIO, NamedTuple
 
 import numpy as np
 
@@ -13,3 +15,47 @@ class Runs(NamedTuple):
     degenerate: np.ndarray  # guarded updates, (trials,)
     recorded: dict[str, np.ndarray]  # what the closed loop decided
     flown: dict[str, np.ndarray] | None = None  # topics of a closed loop's log; not in the file
+
+
+class RunsWriter:
+    """Writes the runs of one point after another, so that those of one are in memory at a time.
+
+    The file is what np.savez writes, its arrays named <point>/<quantity>.
+    """
+
+    def __init__(self, stream: BinaryIO):
+        self._archive = zipfile.ZipFile(stream, "w")
+
+    def add(self, point: str, runs: Runs) -> None:
+        """Write the runs of a point."""
+        arrays = {"error": runs.error, "degenerate": runs.degenerate}
+        if runs.claimed is not None:
+            arrays["claimed"] = runs.claimed
+        arrays |= {f"recorded/{name}": value for name, value in runs.recorded.items()}
+        for name, value in arrays.items():
+            with self._archive.open(f"{point}/{name}.npy", "w", force_zip64=True) as entry:
+                np.lib.format.write_array(entry, np.ascontiguousarray(value), allow_pickle=False)
+
+    def close(self) -> None:
+        """Write the directory of the file."""
+        self._archive.close()
+
+
+def read_runs(path: str | Path, point: str) -> Runs:
+    """The runs of a point from the file of its batch."""
+    with np.load(path) as file:
+        names = [name for name in file.files if name.startswith(f"{point}/")]
+        of_point = {name.removeprefix(f"{point}/"): file[name] for name in names}
+    recorded = [name for name in of_point if name.startswith("recorded/")]
+    return Runs(
+        error=of_point["error"],
+        claimed=of_point.get("claimed"),
+        degenerate=of_point["degenerate"],
+        recorded={name.removeprefix("recorded/"): of_point[name] for name in recorded},
+    )
+
+
+def read_trials(path: str | Path, point: str) -> int:
+    """How many trials of a point the file of its batch has."""
+    with np.load(path) as file:
+        return len(file[f"{point}/degenerate"])

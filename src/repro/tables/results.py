@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from numpy.lib.npyio import NpzFile
 
 from repro import plugins
 from repro.layout import Catalogue, Layout
 from repro.logs import Log, read_log
 from repro.parameters.paper_file import Ranking
-from repro.statistics.runs import Runs
+from repro.parameters.point_names import batch_of
+from repro.statistics.runs import Runs, read_runs, read_trials
 from repro.statistics.shards import Shards, merged
 
 
@@ -66,10 +66,6 @@ class Results:
         """The log of a point."""
         return self._log([self.layout.log(study, point, shard) for shard in self.shards])
 
-    def flight(self, study: str, point: str, filter_: str) -> Log:
-        """The log of what was flown on a filter's estimates, in a closed loop."""
-        return self._log([self.layout.flight(study, point, filter_, s) for s in self.shards])
-
     def parameters(self, study: str, point: str) -> Any:
         """The parameters of a point as its log has them, of the study's type `Parameters`."""
         return read_log(self.layout.log(study, point, 0)).parameters
@@ -119,21 +115,14 @@ class Results:
         """The runs of a filter on a point, one shard at a time in memory."""
         return Shards(
             [partial(self._shard, study, point, filter_, shard) for shard in self.shards],
-            [len(self._file(study, point, filter_, shard)["trials"]) for shard in self.shards],
+            [read_trials(self._file(study, point, filter_, s), point) for s in self.shards],
         )
 
-    def _file(self, study: str, point: str, filter_: str, shard: int) -> NpzFile:
-        return np.load(self.layout.run(study, point, filter_, shard))
+    def _file(self, study: str, point: str, filter_: str, shard: int) -> str:
+        return self.layout.run(study, batch_of(point), filter_, shard)
 
     def _shard(self, study: str, point: str, filter_: str, shard: int) -> Runs:
-        part = self._file(study, point, filter_, shard)
-        names = [name for name in part.files if name.startswith("recorded_")]
-        return Runs(
-            error=part["error"],
-            claimed=part.get("claimed"),
-            degenerate=part["degenerate"],
-            recorded={name.removeprefix("recorded_"): part[name] for name in names},
-        )
+        return read_runs(self._file(study, point, filter_, shard), point)
 
     def table(self, study: str) -> pd.DataFrame:
         """The table of a study, in long form."""

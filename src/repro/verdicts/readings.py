@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pandas as pd
 
-from repro.parameters.load import is_reading
+from repro.parameters.point_names import is_reading
 from repro.verdicts.published import KEYS, compare_value
 
 IDENTITY = ("filter", "metric", "component")  # of a statistic of a point

@@ -3,26 +3,37 @@
 import resource
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import NoReturn
 
 from repro.errors import ReproError
 
-USAGE = "usage:"
+USAGE, OF_POINT = "usage:", "point "
+
+
+class Usage:
+    """What a job says of its usage besides its CPU time and memory."""
+
+    of_points: Mapping[str, float]  # CPU seconds of each point that it ran
+
+    def __init__(self) -> None:
+        self.of_points = {}
 
 
 @contextmanager
-def job(log: str | Path) -> Iterator[None]:
+def job(log: str | Path) -> Iterator[Usage]:
     """Runs a job's work; its log file gets CPU time and peak memory, or one line on bad input.
 
     Raises SystemExit with that line for a ReproError or OSError.
     """
+    usage = Usage()
     try:
-        yield
-        usage = f"cpu_s={time.process_time():.3f} peak_mb={_peak_mb():.1f}"
-        Path(log).write_text(f"{USAGE} {usage}\n")
+        yield usage
+        lines = [f"{USAGE} cpu_s={time.process_time():.3f} peak_mb={_peak_mb():.1f}"]
+        lines += [f"{OF_POINT}{p}: cpu_s={s:.4f}" for p, s in usage.of_points.items()]
+        Path(log).write_text("\n".join(lines) + "\n")
     except ReproError as error:
         print(error.details, end="", file=sys.stderr)
         _end(log, str(error))

@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
@@ -10,7 +10,8 @@ from typing import Any
 from repro.atomic import atomic_write
 from repro.errors import ReproError
 from repro.layout import Catalogue, Layout
-from repro.parameters.load import Point, on_request
+from repro.parameters.load import Point
+from repro.parameters.point_names import batch_of, on_request
 
 # The wildcards of a filter's output: see Registry.runs.
 OUTPUT = re.compile(r"\{study,(?P<studies>[\w|]+)\}.*\{filter,(?P<filter>[\w|]+)\}")
@@ -62,7 +63,6 @@ class Registry:
             study: {p: [] for p in named} for study, named in points.items()
         }
         self._points = points
-        self._closed_loops: set[str] = set()
         self._given: dict[tuple[str, str], dict[str, Any]] = {}  # by filter and study
 
     def runs(
@@ -71,7 +71,7 @@ class Registry:
         """Output of a filter's rule; registers the filter on the matching points of the studies.
 
         Raises ReproError for an unknown filter or study, for a pattern that no point matches, and
-        for a point on which another rule runs the filter.
+        for a study on which another rule runs the filter.
         """
         if not filter_file(name).exists():
             raise ReproError(f"filter {name}: there is no {filter_file(name)}; write it first")
@@ -81,20 +81,19 @@ class Registry:
                 raise ReproError(
                     f"filter {name}: there is no study '{study}'; the studies are {known}"
                 )
+            if any(name in filters for filters in self._filters[study].values()):
+                raise ReproError(
+                    f"filter {name}: two rules run it on {study}; "
+                    "fix the name or studies in runs(...) of one of them"
+                )
             matching = matching_points(self._filters[study], points, skip)
             if not matching:
                 raise ReproError(
                     f"filter {name}: no point of {study} matches {points}; fix the pattern"
                 )
             for point in matching:
-                if point in self._left_out.get(study, ()):
-                    continue
-                if name in self._filters[study][point]:
-                    raise ReproError(
-                        f"filter {name}: two rules run it on {study}, point {point}; "
-                        "fix the name, studies or points in runs(...) of one of them"
-                    )
-                self._filters[study][point].append(name)
+                if point not in self._left_out.get(study, ()):
+                    self._filters[study][point].append(name)
         return self._layout.run(**_only(name, studies))
 
     def listed(self, study: str, names: Sequence[str]) -> str:
@@ -103,23 +102,18 @@ class Registry:
             self.runs(name, [study])
         return self._layout.run(**_only("|".join(names), [study]))
 
-    def flights(self, name: str, studies: list[str]) -> str:
-        """Second output where a filter closes a loop: the log of what was flown."""
-        self._closed_loops.update(studies)
-        return self._layout.flight(**_only(name, studies))
-
     def read_settings(self, rules: Iterable[Any]) -> None:
         """Take the settings that the rules of the filters give on the spot, and check the rules.
 
         Raises ReproError where a rule names another filter than its output does.
         """
         for rule in rules:
-            outputs = [OUTPUT.search(str(file)) for file in rule.output]
-            if not outputs or outputs[0] is None:
+            output = OUTPUT.search(str(rule.output[0])) if rule.output else None
+            if output is None:
                 continue
-            named = outputs[0].groupdict()
+            named = output.groupdict()
             params = dict(rule.params.items())
-            _check_rule(rule.name, named, outputs[1:], params)
+            _check_rule(rule.name, params)
             given = params.get("settings")
             if given is None or callable(given):
                 continue
@@ -174,11 +168,15 @@ class Registry:
     def run_files(
         self, study: str, points: Collection[str] | None = None, requested: bool = False
     ) -> list[str]:
-        """Runs of all filters on the given (or all) points of a study."""
-        return [
-            self._layout.run(study, point, name, shard)
+        """Files that hold the runs of all filters on the given (or all) points of a study."""
+        batches = {
+            (batch_of(point), name): None
             for point, filters in self._chosen(study, points, requested)
             for name in filters
+        }
+        return [
+            self._layout.run(study, *batch_and_filter, shard)
+            for batch_and_filter in batches
             for shard in self._shards
         ]
 
@@ -190,15 +188,17 @@ class Registry:
             for shard in self._shards
         ]
 
-    def flight_files(self, study: str, point: str) -> list[str]:
-        """Logs of what the filters flew; none in an open loop."""
-        if study not in self._closed_loops:
-            return []
-        return [
-            self._layout.flight(study, point, name, shard)
-            for name in self._filters[study][point]
-            for shard in self._shards
-        ]
+    def batches(self) -> Iterator[tuple[str, str, list[str]]]:
+        """Study, name of the batch and its points, of which one job makes the logs of a shard."""
+        for study, filters in self._filters.items():
+            points = [p for p in filters if p not in self._left_out.get(study, ())]
+            for batch in dict.fromkeys(map(batch_of, points)):
+                yield study, batch, [p for p in points if batch_of(p) == batch]
+
+    def in_batch(self, name: str, study: str, batch: str) -> list[str]:
+        """Points of a batch that the filter runs on."""
+        filters = self._filters[study]
+        return [p for p in filters if name in filters[p] and batch_of(p) == batch]
 
     def _chosen(
         self, study: str, points: Collection[str] | None, requested: bool = False
@@ -207,16 +207,11 @@ class Registry:
         return [(p, filters) for p, filters in of_study.items() if points is None or p in points]
 
 
-def _check_rule(
-    rule: str, named: dict[str, str], others: list[re.Match | None], params: dict[str, Any]
-) -> None:
+def _check_rule(rule: str, params: dict[str, Any]) -> None:
     """Raise ReproError if anything in a filter's rule is of another filter than its output."""
-    for other in others:
-        if other is None or other.groupdict() != named:
-            raise ReproError(
-                f"rule {rule}: runs(...) and flights(...) must name the same filter and studies"
-            )
-    for name in params.keys() - {"settings", "code"}:
+    for name, value in params.items():
+        if name in ("settings", "code") or (name == "points" and callable(value)):
+            continue
         raise ReproError(
             f"rule {rule}: params: '{name}' has no meaning; the filter is that of runs(...), "
             "and its settings are settings=dict(name=value)"

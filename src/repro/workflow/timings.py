@@ -2,15 +2,18 @@
 
 import re
 from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pandas as pd
 
 from repro.layout import Catalogue, Layout
-from repro.workflow.job import USAGE
+from repro.parameters.point_names import batch_of
+from repro.workflow.job import OF_POINT, USAGE
 
 _USED = re.compile(rf"{USAGE} cpu_s=(?P<cpu_s>[\d.]+) peak_mb=(?P<peak_mb>[\d.]+)")
+_POINT = re.compile(rf"^{OF_POINT}(?P<point>.+): cpu_s=(?P<cpu_s>[\d.]+)$", re.MULTILINE)
 
 
 def timings(root: str | Path) -> pd.DataFrame:
@@ -43,8 +46,8 @@ def filter_times(
 ) -> pd.DataFrame:
     """CPU time a trial and step of every filter on every point whose jobs have left their usage.
 
-    `points` gives `family`, `trials` and `steps` of each study's points. The CPU time is that of
-    whole jobs, the start of Python included.
+    `points` gives `family`, `trials` and `steps` of each study's points. The start of Python does
+    not count, but loading compiled kernels does, in the first point of a job.
     """
     layout, rows = Layout(root), []
     for study, of_study in catalogue.items():
@@ -52,15 +55,23 @@ def filter_times(
             at = points[study][point]
             where = {"study": study, "family": at["family"], "point": point}
             for filter_ in filters:
-                usages = [
-                    _usage(layout.job_log(filter_, study, point, str(shard)))
+                logs = [
+                    layout.job_log(filter_, study, batch_of(point), str(shard))
                     for shard in range(shards)
                 ]
-                seconds = [usage["cpu_s"] for usage in usages if usage]
-                if len(seconds) == shards:
-                    cpu = 1e6 * sum(seconds) / (at["trials"] * at["steps"])
+                seconds = [of.get(point) for of in map(_of_points, logs)]
+                if None not in seconds:
+                    cpu = 1e6 * sum(filter(None, seconds)) / (at["trials"] * at["steps"])
                     rows.append(where | {"filter": filter_, "cpu_us_per_step": cpu})
     return pd.DataFrame(rows, columns=["study", "family", "point", "filter", "cpu_us_per_step"])
+
+
+@cache
+def _of_points(log: str) -> dict[str, float]:
+    """CPU seconds of each point of a job; none if it has left no usage."""
+    path = Path(log)
+    text = path.read_text() if path.exists() else ""
+    return {found["point"]: float(found["cpu_s"]) for found in _POINT.finditer(text)}
 
 
 def _usage(log: str) -> dict[str, float] | None:

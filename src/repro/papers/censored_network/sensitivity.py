@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from repro.papers.censored_network.time_averages import POINT, mean_of_roots, root_of_mean
-from repro.parameters.load import ON_REQUEST, on_request
+from repro.parameters.point_names import ON_REQUEST, on_request
 from repro.statistics import metrics
 from repro.studies.families.censored_network import squared_distance
 from repro.tables.csv_file import write_csv
