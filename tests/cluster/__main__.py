@@ -23,11 +23,10 @@ PROGRAMS = ("slurmctld", "slurmd", "srun", "munged")
 # One study each of Kalman and particle filters, of a censored network and in a closed loop.
 STUDIES = ("linear_delays", "ungm", "deadband", "quadrotor")
 TABLES = [f"smoke/results/tables/{study}.csv" for study in STUDIES]
-ALONE = "deadband"  # its one point is one job of Slurm
+ALONE = "runs/deadband/main/mapf"  # the results of one job
 FIGURE = "smoke/figures/packet_delays/fig01.png"
 RESULTS = (
     "logs/*/*/*.mcap",
-    "flights/*/*/*/*.mcap",
     "runs/*/*/*/*.npz",
     "tables/*.csv",
     "curves/*",
@@ -62,15 +61,13 @@ class OnSlurm(Copy):
     )
 
     def forget(self) -> None:
-        """Remove the results of the study of one job."""
-        for path in self.folder.glob(f"smoke/results/*/{ALONE}*"):
-            shutil.rmtree(path) if path.is_dir() else path.unlink()
+        """Remove the results of one job."""
+        shutil.rmtree(self.folder / "smoke/results" / ALONE)
 
     def start_and_wait_for_its_job(self) -> tuple[subprocess.Popen, str, str]:
         """Start what is not done yet; returns in the middle of its job, with job and node."""
         run = self.start(*TABLES, FIGURE)
-        simulated = self.folder / f"smoke/results/logs/{ALONE}/base/0.mcap"
-        wait(lambda: simulated.exists() and self.cluster.running(), "the log")
+        wait(self.cluster.running, "the job")
         ((job, node),) = self.cluster.running()
         return run, job, node
 

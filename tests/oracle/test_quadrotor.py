@@ -6,11 +6,11 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from repro import plugins
+from repro import plugins, runner
 from repro.filters import Filter
 from repro.logs import read_log
 from repro.models import quadrotor as model
-from repro.runner import run, run_filter
+from repro.runner import run
 from repro.simulate import simulate, simulated
 from repro.statistics.shards import Shards
 from repro.studies import quadrotor as study
@@ -123,10 +123,11 @@ def test_an_estimate_that_is_not_finite_ends_its_flight_alone(monkeypatch):
 def test_flight_log_replays(tmp_path):
     """Throttles give the rotor speeds, those the truth, and that what was received."""
     parameters = POINT.parameters.model_copy(update={"steps": 80})
-    recorded, log_path = tmp_path / "runs.npz", tmp_path / "log.mcap"
+    log_path = tmp_path / "log.mcap"
     simulate("quadrotor", "nominal", parameters.plain(), 1, (0, 2), log_path)
-    run_filter(log_path, "quadrotor", "nominal", "bkf_1", {}, recorded, tmp_path / "flight.mcap")
-    log, flight = read_log(log_path), read_log(tmp_path / "flight.mcap", study="quadrotor")
+    log = read_log(log_path)
+    _, runs = run(log, "bkf_1", {})
+    flight = runner.flown(log, "bkf_1", {})
     assert set(flight.fields) == {"/truth", "/received", "/estimate", "/reference", "/throttle"}
     truth, throttle = flight.values["/truth"], flight.values["/throttle"]
     frame, motor = study.airframe(parameters), study.motor(parameters)
@@ -137,9 +138,7 @@ def test_flight_log_replays(tmp_path):
         speeds = model.motor_step(motor, speeds, throttle[:, k], 0.01)
     gamma = log.field("/network", "gamma")[:, :, None]
     np.testing.assert_array_equal(flight.values["/received"], gamma * truth + log.values["/sensor"])
-    with np.load(recorded) as runs:
-        np.testing.assert_array_equal(runs["error"], flight.values["/estimate"] - truth)
-        assert not any("flown" in name for name in runs.files)
+    np.testing.assert_array_equal(runs.error, flight.values["/estimate"] - truth)
     np.testing.assert_array_equal(flight.values["/reference"][0], study.reference(parameters))
 
 

@@ -15,19 +15,17 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from repro import plugins
 from repro.filters import Filter
 from repro.inspect.view import write_view
 from repro.pages.assumptions import write_assumptions
 from repro.pages.leaderboard import write_leaderboard
 from repro.pages.verdicts import write_diff
-from repro.parameters.load import Paper, load_paper, load_run
+from repro.parameters.load import Paper, Point, load_paper, load_run
 from repro.parameters.point_names import batch_of, on_request
 from repro.plot import study_figures, style
 from repro.plot.draw import draw
 from repro.runner import run_filter
 from repro.simulate import simulate
-from repro.studies import ClosedLoop
 from repro.tables.ranking import tabulate_ranking
 from repro.tables.results import Results
 from repro.tables.study_tables import tabulate
@@ -128,9 +126,8 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> Build:
         folder = tmp_path_factory.mktemp(name)
         described = {study: paper.described(study) for study in paper.studies}
         results = Results(folder / "results", points, 1, described, own, RUN.tolerance)
-        for study, of_study in points.items():
-            for point, filters in of_study.items():
-                run_point(results, paper, study, point, filters)
+        for study in points:
+            run_study(results, study, paper.studies[study])
             table, curves = results.layout.table(study), results.layout.curves(study)
             tabulate(results, study, created(table), created(curves))
             tabulate_ranking(results, study, *map(created, ranking_files(results, study)))
@@ -159,24 +156,24 @@ def compute(tables: list[str], folder: Path) -> None:
         )
 
 
-def run_point(results: Results, paper: Paper, study: str, point: str, filters: list[str]) -> None:
-    """Simulate a point and run its filters, as the jobs of the workflow do."""
-    layout, (parameters, settings, *_) = results.layout, paper.studies[study][point]
-    small = {"trials": TRIALS, "steps": min(parameters.steps, MOST_STEPS)}
-    log = created(layout.log(study, point, 0))
-    simulate(study, point, parameters.plain() | small, RUN.root_seed, (0, TRIALS), log)
-    for filter_ in filters:
-        path, flight = (of(study, point, filter_, 0) for of in (layout.run, layout.flight))
-        closed_loop = isinstance(plugins.study(study), ClosedLoop)
-        run_filter(
-            log,
-            study,
-            point,
-            filter_,
-            settings.get(filter_, {}),
-            created(path),
-            created(flight) if closed_loop else None,
-        )
+def run_study(results: Results, study: str, points: dict[str, Point]) -> None:
+    """Simulate the points of a study and run its filters, as the jobs of the workflow do."""
+    layout, filters = results.layout, results.catalogue[study]
+    logs = {point: created(layout.log(study, point, 0)) for point in filters}
+    for point, path in logs.items():
+        parameters = points[point].parameters
+        small = {"trials": TRIALS, "steps": min(parameters.steps, MOST_STEPS)}
+        simulate(study, point, parameters.plain() | small, RUN.root_seed, (0, TRIALS), path)
+    runs: dict[str, dict[str, list[str]]] = {}  # by filter and batch: its points
+    for point, names in filters.items():
+        for name in names:
+            runs.setdefault(name, {}).setdefault(batch_of(point), []).append(point)
+    for name, batches in runs.items():
+        for batch, batched in batches.items():
+            settings = {point: points[point].filters.get(name, {}) for point in batched}
+            of_points = {point: logs[point] for point in batched}
+            path = created(layout.run(study, batch, name, 0))
+            run_filter(of_points, study, name, settings, path)
 
 
 def ranking_files(results: Results, study: str) -> list[str]:
@@ -298,5 +295,8 @@ def test_a_view_of_a_trial_of_every_study(name, small, tmp_path):
     results = small(name).results
     for study, points in results.catalogue.items():
         view, layout = tmp_path / f"{study}.mcap", tmp_path / f"{study}.json"
-        write_view(results, study, next(iter(points)), TRIALS - 1, view, layout)
+        point, filters = next(iter(points.items()))
+        of_point = small(name).paper.studies[study][point].filters
+        settings = {filter_: of_point.get(filter_, {}) for filter_ in filters}
+        write_view(results.log(study, point), settings, TRIALS - 1, view, layout)
         assert view.stat().st_size > 1000 and layout.stat().st_size > 100

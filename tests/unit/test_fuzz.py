@@ -141,7 +141,7 @@ def test_a_point_with_anything_that_its_types_allow(study, choice, tmp_path):
     def work():
         settings = checked_settings(name, content["settings"], f"{study}: filters.{name}")
         simulate(study, point, content["parameters"], SEED, (0, 2), log)
-        run_filter(log, study, point, name, settings, tmp_path / "0.npz")
+        run_filter({point: log}, study, name, {point: settings}, tmp_path / "0.npz")
 
     with np.errstate(all="ignore"):
         refused_in_one_line(work, study)

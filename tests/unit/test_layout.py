@@ -11,8 +11,7 @@ LAYOUT = Layout("somewhere/results")
     ("path", "template", "filled"),
     [
         (LAYOUT.log, "logs/{study}/{point}/{shard}.mcap", "logs/a/b/0.mcap"),
-        (LAYOUT.run, "runs/{study}/{point}/{filter}/{shard}.npz", "runs/a/b/f/0.npz"),
-        (LAYOUT.flight, "flights/{study}/{point}/{filter}/{shard}.mcap", "flights/a/b/f/0.mcap"),
+        (LAYOUT.run, "runs/{study}/{batch}/{filter}/{shard}.npz", "runs/a/b/f/0.npz"),
         (LAYOUT.view, "views/{study}/{point}/trial-{trial}", "views/a/b/trial-0"),
     ],
 )

@@ -1,12 +1,16 @@
 """The leaderboard: its page, its picture, and the CPU time of the filters."""
 
+from pathlib import Path
+
 import pandas as pd
 import pytest
 
+from repro.layout import Layout
 from repro.pages.leaderboard import summarised, write_leaderboard
 from repro.parameters.load import load_paper
 from repro.plot.leaderboard import leaderboard
 from repro.tables.results import Results
+from repro.workflow.job import job
 from repro.workflow.timings import filter_times
 from tests.conftest import ROOT
 
@@ -64,8 +68,9 @@ def test_cpu_time_is_a_trials_and_steps(tmp_path):
     points = {STUDY: {p: {"family": "f", "trials": 10, "steps": 50} for p in POINTS}}
     results = Results(tmp_path, {STUDY: {p: ["iekf"] for p in POINTS}}, 2, {}, [], 3.0)
     for shard in ("0", "1"):
-        log = tmp_path / "job_logs/iekf" / STUDY / POINTS[0] / f"{shard}.log"
+        log = Path(Layout(tmp_path).job_log("iekf", STUDY, "main", shard))
         log.parent.mkdir(parents=True, exist_ok=True)
-        log.write_text("usage: cpu_s=0.250 peak_mb=54.1\n")
-    times = filter_times(tmp_path, results.catalogue, points, 2)  # no log of the other point
+        with job(log) as usage:
+            usage.of_points = {POINTS[0]: 0.25}  # the other point has not run
+    times = filter_times(tmp_path, results.catalogue, points, 2)
     assert times["cpu_us_per_step"].tolist() == pytest.approx([1000.0])

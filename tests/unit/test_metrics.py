@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from repro.statistics import metrics
+from repro.statistics.runs import Runs, RunsWriter
 from repro.statistics.shards import Columns
 from repro.tables.results import Results
 
@@ -87,11 +88,16 @@ def test_quantities_of_runs_in_shards(tmp_path):
     """Of what a filter's jobs leave, whole and shard by shard."""
     shards = (slice(0, 3), slice(3, 5), slice(5, 40))
     for number, part in enumerate(shards):
-        folder = tmp_path / "runs/study/point/filter"
+        folder = tmp_path / "runs/study/main/filter"
         folder.mkdir(parents=True, exist_ok=True)
-        arrays = {"error": VALUES[part, :, None], "degenerate": VALUES[part, 0]}
-        trials = np.arange(40)[part]
-        np.savez(folder / f"{number}.npz", trials=trials, recorded_a=VALUES[part], **arrays)
+        with (folder / f"{number}.npz").open("wb") as stream:
+            writer = RunsWriter(stream)
+            for point in ("another", "point"):
+                recorded = {"a": VALUES[part]} if point == "point" else {}
+                writer.add(
+                    point, Runs(VALUES[part, :, None], None, VALUES[part, 0], recorded=recorded)
+                )
+            writer.close()
     results, where = Results(tmp_path, {}, 3, {}, [], 3.0), ("study", "point", "filter")
     np.testing.assert_array_equal(results.each(*where, lambda runs: runs.degenerate), VALUES[:, 0])
     of_steps = results.each(*where, lambda runs: runs.error[..., 0])

@@ -28,7 +28,7 @@ def test_patterns_of_points():
 
 def test_a_rules_output_matches_its_filter_and_studies_alone(registry):
     output = registry.runs("ekf", ["radar", "quadrotor"])
-    assert output == "results/runs/{study,radar|quadrotor}/{point}/{filter,ekf}/{shard}.npz"
+    assert output == "results/runs/{study,radar|quadrotor}/{batch}/{filter,ekf}/{shard}.npz"
 
 
 def test_filters_are_listed_in_the_order_of_their_rules(registry):
@@ -42,10 +42,15 @@ def test_filters_are_listed_in_the_order_of_their_rules(registry):
 
 def test_files_of_every_filter_and_shard(registry):
     registry.runs("ekf", ["radar"], points="loss=*")
+    registry.runs("iekf", ["radar"], points="loss=0.5")
     assert registry.run_files("radar", ["loss=0.5"]) == [
-        f"results/runs/radar/loss=0.5/ekf/{shard}.npz" for shard in (0, 1)
+        f"results/runs/radar/main/{name}/{shard}.npz"
+        for name in ("ekf", "iekf")
+        for shard in (0, 1)
     ]
-    assert len(registry.run_files("radar")) == 4
+    assert registry.run_files("radar", ["loss=0.1"]) == [
+        f"results/runs/radar/main/ekf/{shard}.npz" for shard in (0, 1)
+    ]
     assert registry.log_files("radar") == [
         f"results/logs/radar/{point}/{shard}.mcap"
         for point in ("loss=0.1", "loss=0.5")
@@ -53,14 +58,16 @@ def test_files_of_every_filter_and_shard(registry):
     ]
 
 
-def test_only_a_closed_loop_has_flights(registry):
-    registry.runs("ekf", ["radar", "quadrotor"])
-    output = registry.flights("ekf", ["quadrotor"])
-    assert output == "results/flights/{study,quadrotor}/{point}/{filter,ekf}/{shard}.mcap"
-    assert registry.flight_files("radar", "markov") == []
-    assert registry.flight_files("quadrotor", "nominal") == [
-        f"results/flights/quadrotor/nominal/ekf/{shard}.mcap" for shard in (0, 1)
+def test_readings_and_points_on_request_are_batches_of_their_own():
+    points = ["base", "reading-turn=1", "far-reading-turn=1", "sensitivity-noise"]
+    registry = Registry(Layout("results"), {"deadband": points}, 1, {"deadband": {"base"}})
+    registry.runs("mapf", ["deadband"], points=["base", "*turn*"])
+    assert list(registry.batches()) == [
+        ("deadband", "readings", points[1:3]),
+        ("deadband", "requested", points[3:]),
     ]
+    assert registry.in_batch("mapf", "deadband", "readings") == points[1:3]
+    assert registry.in_batch("mapf", "deadband", "main") == []
 
 
 def test_points_on_request_are_left_out_unless_requested():
@@ -98,10 +105,8 @@ def reaches(*modules: str) -> SimpleNamespace:
     return SimpleNamespace(modules=modules)
 
 
-def copied(registry: Registry, name: str, flight: str | None = None, **params: Any) -> Rule:
+def copied(registry: Registry, name: str, **params: Any) -> Rule:
     output = [registry.runs(name, ["quadrotor"])]
-    if flight is not None:
-        output.append(registry.flights(flight, ["quadrotor"]))
     return Rule("copied", output, {"code": reaches(FILTER_MODULE)} | params)
 
 
@@ -117,8 +122,8 @@ def test_settings_of_a_rule_come_before_those_of_params():
 @pytest.mark.parametrize(
     ("params", "message"),
     [
-        ({"flight": "iekf"}, "must name the same filter"),
         ({"filter_": "iekf"}, "params: 'filter_' has no meaning"),
+        ({"points": {"nominal": {}}}, "params: 'points' has no meaning"),
         ({"settings": 0.1}, "settings is a float; write settings=dict"),
         ({"code": reaches("repro.filters.iekf")}, "leave out code"),
     ],
@@ -130,5 +135,5 @@ def test_a_rule_names_no_other_filter_than_its_output(registry, params, message)
 
 def test_a_copied_rule_with_the_old_name_is_refused(registry):
     registry.runs("ekf", ["radar"], points="loss=*")
-    with pytest.raises(ReproError, match=r"filter ekf: two rules run it on radar, point loss=0\.5"):
+    with pytest.raises(ReproError, match=r"filter ekf: two rules run it on radar; fix"):
         registry.runs("ekf", ["radar"], skip="loss=0.1")

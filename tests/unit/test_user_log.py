@@ -20,7 +20,7 @@ from repro.logs import LogError, write_log
 from repro.logs.format import MAGIC
 from repro.logs.user_log import read_user_log
 from repro.parameters.load import load_run, user_values
-from repro.runner import run, run_filter
+from repro.runner import run
 from tests.conftest import ROOT, catalogue, points, registered, small_log
 
 STUDY, POINT = "linear_delays", "arrival=0.5"
@@ -134,16 +134,13 @@ def runs_alike(log, study, name, settings, tmp_path):
     """Write a log, run a filter on it as on a foreign one; compare with the pipeline's runs."""
     path = tmp_path / "0.mcap"
     write_log(path, log, period=1.0)
-    run_filter(path, study, log.point, name, settings, tmp_path / "0.npz")
+    _, runs = run(log, name, settings)
     given = {"study": study, "point": log.point, "settings": settings, "seed": 99}
     given["parameters"] = points()[study][log.point].parameters.plain()
     run_user_log(path, given, name, tmp_path / "estimates.csv")
     table = pd.read_csv(tmp_path / "estimates.csv")
     error = table[[f"error_{state}" for state in log.fields["/truth"]]].to_numpy()
-    with np.load(tmp_path / "0.npz") as runs:
-        np.testing.assert_allclose(
-            error.reshape(runs["error"].shape), runs["error"], rtol=1e-7, atol=1e-7
-        )
+    np.testing.assert_allclose(error.reshape(runs.error.shape), runs.error, rtol=1e-7, atol=1e-7)
 
 
 @pytest.mark.parametrize(

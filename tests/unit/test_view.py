@@ -2,32 +2,24 @@
 
 import json
 
-import numpy as np
 import pytest
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 
 from repro.errors import ReproError
 from repro.inspect.view import LAYOUT, write_view
-from repro.logs import write_log
-from repro.runner import run_filter
-from repro.tables.results import Results
+from repro.runner import flown, run
 from tests.conftest import points, small_log
 
 STUDY, POINT, FILTERS = "wsn_tracking", "n2-arrival=0.9", ["emvf", "ekf"]
 
 
-@pytest.fixture
-def results(tmp_path):
-    log = tmp_path / "logs" / STUDY / POINT / "0.mcap"
-    log.parent.mkdir(parents=True)
-    write_log(log, small_log(STUDY, POINT, trials=3, steps=10), 0.1)
-    for name in FILTERS:
-        path = tmp_path / "runs" / STUDY / POINT / name / "0.npz"
-        path.parent.mkdir(parents=True)
-        settings = points()[STUDY][POINT].filters.get(name, {})
-        run_filter(log, STUDY, POINT, name, settings, path)
-    return Results(tmp_path, {STUDY: {POINT: FILTERS}}, 1, {}, [], tolerance=3.0)
+FILTERED = {name: points()[STUDY][POINT].filters.get(name, {}) for name in FILTERS}
+
+
+@pytest.fixture(scope="module")
+def log():
+    return small_log(STUDY, POINT, trials=3, steps=10)
 
 
 def read_decoded(path):
@@ -47,9 +39,8 @@ def assert_layout_names_what_is_there(layout, found):
         assert topic in found and hasattr(found[topic][0], field), value
 
 
-def test_view_has_the_log_and_every_filters_estimate_on_one_clock(results, tmp_path):
-    write_view(results, STUDY, POINT, 2, tmp_path / "v.mcap", tmp_path / "v.json")
-    log = results.log(STUDY, POINT)
+def test_view_has_the_log_and_every_filters_estimate_on_one_clock(log, tmp_path):
+    write_view(log, FILTERED, 2, tmp_path / "v.mcap", tmp_path / "v.json")
     with (tmp_path / "v.mcap").open("rb") as stream:
         reader = make_reader(stream, validate_crcs=True, decoder_factories=[DecoderFactory()])
         found, times = {}, {}
@@ -63,9 +54,8 @@ def test_view_has_the_log_and_every_filters_estimate_on_one_clock(results, tmp_p
     }
     assert times["/estimate/emvf"] == times["/truth"] == times["/received"]
     for name in FILTERS:
-        error = results.runs(STUDY, POINT, name).error[2]
-        estimate = [m.px for m in found[f"/estimate/{name}"]]
-        np.testing.assert_allclose(estimate, log.values["/truth"][2, :, 0] + error[:, 0])
+        estimate, _ = run(log, name, FILTERED[name])  # of all trials at once
+        assert [m.px for m in found[f"/estimate/{name}"]] == estimate[2, :, 0].tolist()
     layout = attached[LAYOUT]
     assert layout == json.loads((tmp_path / "v.json").read_text())
     assert_layout_names_what_is_there(layout, found)
@@ -73,24 +63,13 @@ def test_view_has_the_log_and_every_filters_estimate_on_one_clock(results, tmp_p
 
 def test_a_view_of_a_closed_loop_has_every_filters_own_flight(tmp_path):
     point, filters = "nominal", ["ekf", "rbpf_fast"]
-    log = tmp_path / "logs/quadrotor" / point / "0.mcap"
-    log.parent.mkdir(parents=True)
-    write_log(log, small_log("quadrotor", point, trials=3, steps=10), 0.01)
-    for name in filters:
-        runs, flights = (
-            tmp_path / kind / "quadrotor" / point / name for kind in ("runs", "flights")
-        )
-        runs.mkdir(parents=True)
-        flights.mkdir(parents=True)
-        settings = points()["quadrotor"][point].filters.get(name, {})
-        run_filter(log, "quadrotor", point, name, settings, runs / "0.npz", flights / "0.mcap")
-    catalogue = {"quadrotor": {point: filters}}
-    results = Results(tmp_path, catalogue, 1, {}, [], tolerance=3.0)
-    write_view(results, "quadrotor", point, 1, tmp_path / "v.mcap", tmp_path / "v.json")
+    log = small_log("quadrotor", point, trials=3, steps=10)
+    settings = {name: points()["quadrotor"][point].filters.get(name, {}) for name in filters}
+    write_view(log, settings, 1, tmp_path / "v.mcap", tmp_path / "v.json")
     found = read_decoded(tmp_path / "v.mcap")
     for name in filters:
-        flown = results.flight("quadrotor", point, name).values["/truth"][1]
-        assert [m.z for m in found[f"/truth/{name}"]] == flown[:, 11].tolist()
+        truth = flown(log, name, settings[name]).values["/truth"][1]
+        assert [m.z for m in found[f"/truth/{name}"]] == truth[:, 11].tolist()
         assert {f"/{kind}/{name}" for kind in ("estimate", "error", "received", "throttle")} <= set(
             found
         )
@@ -98,6 +77,6 @@ def test_a_view_of_a_closed_loop_has_every_filters_own_flight(tmp_path):
     assert_layout_names_what_is_there(json.loads((tmp_path / "v.json").read_text()), found)
 
 
-def test_a_trial_that_is_not_there_is_named(results, tmp_path):
+def test_a_trial_that_is_not_there_is_named(log, tmp_path):
     with pytest.raises(ReproError, match=r"trial 3: .* has the trials 0 to 2"):
-        write_view(results, STUDY, POINT, 3, tmp_path / "v.mcap", tmp_path / "v.json")
+        write_view(log, FILTERED, 3, tmp_path / "v.mcap", tmp_path / "v.json")

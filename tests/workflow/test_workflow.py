@@ -44,7 +44,11 @@ def test_a_smoke_run_is_one_point_of_each_family(project):
     profile = ("--profile", "profiles/smoke")
     planned = jobs_of(project.snakemake("-n", *profile))
     everything = jobs_of(project.snakemake("-n", "--config", "trials=6", "into=smoke"))
-    assert everything.keys() - planned.keys() == {"claims", "diff", "emvf_realised"}
+    left_out = everything.keys() - planned.keys()
+    assert {n for n in left_out if not n.startswith("figures_") and "readings" not in n} == {
+        *("claims", "diff", "emvf_realised")
+    }
+    assert "figures_unknown_losses_radar" not in left_out
     assert sum(planned.values()) < 0.5 * sum(everything.values())
     output = project.snakemake("smoke/results/parameters.csv", *profile)
     assert "Everything: snakemake -j2" in output
@@ -55,7 +59,7 @@ def test_a_rebuild_is_byte_identical(trimmed):
     trimmed.snakemake(*targets)
     results = ("results/logs/*/*/*.mcap", "results/runs/*/*/*/*.npz", "results/[tc]*/*.csv")
     first = trimmed.bytes_of(*results, "figures/*/*.png")
-    assert len(first) == 2 + 14 + 2 + 1
+    assert len(first) == 2 + 7 + 2 + 2
     trimmed.snakemake(*targets, "--forceall")
     assert trimmed.bytes_of(*results, "figures/*/*.png") == first
 
@@ -99,7 +103,7 @@ def test_an_edit_reruns_what_depends_on_it(trimmed):
     with (trimmed.folder / "src/repro/filters/nahi.py").open("a") as source:
         source.write("# edited\n")
     planned = jobs_of(trimmed.snakemake("-n", TABLE, "--config", "trials=4"))
-    assert planned == {"nahi": 2, "table": 1}
+    assert planned == {"nahi": 1, "table": 1}
 
 
 @pytest.mark.parametrize(
@@ -128,11 +132,10 @@ def test_more_shards_than_trials_end_in_one_line(project):
     project.snakemake("-n", TABLE, "--config", "trials=4", "shards=4")
 
 
-def test_the_slurm_profile_names_only_rules_and_groups_that_exist(project):
+def test_the_slurm_profile_names_only_rules_that_exist(project):
     profile = yaml.safe_load((project.folder / "profiles/slurm/config.yaml").read_text())
     rules = set(project.snakemake("--list-rules", "--quiet", "all").split())
-    assert set(profile["set-resources"]) | set(profile["groups"]) <= rules
-    assert set(profile["group-components"]) <= set(profile["groups"].values())
+    assert set(profile["set-resources"]) <= rules
 
 
 def test_a_results_folder_that_cannot_be_written_ends_in_one_line(project):
@@ -149,7 +152,7 @@ def test_a_changed_log_ends_its_job_in_one_line(trimmed):
     data = bytearray(path.read_bytes())
     data[len(data) // 2] ^= 1
     path.write_bytes(data)
-    target = "results/runs/linear_delays/arrival=0.5/omvf/0.npz"
+    target = "results/runs/linear_delays/main/omvf/0.npz"
     output = trimmed.snakemake(target, "--config", "trials=4", fails=True)
     lines = [line for line in output.splitlines() if line.strip().startswith("error: ")]
     assert len(lines) == 1 and log in lines[0] and "/received" in lines[0]
@@ -160,7 +163,7 @@ def test_a_log_of_another_point_ends_its_job_in_one_line(trimmed):
     logs = [f"results/logs/linear_delays/arrival={p}/0.mcap" for p in (0.5, 0.9)]
     trimmed.snakemake(*logs, "--config", "trials=4")
     shutil.copy(*(trimmed.folder / log for log in logs))
-    target = "results/runs/linear_delays/arrival=0.9/omvf/0.npz"
+    target = "results/runs/linear_delays/main/omvf/0.npz"
     output = trimmed.snakemake(target, "--config", "trials=4", fails=True)
     assert "the log is of point 'arrival=0.5'" in output
 

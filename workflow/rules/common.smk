@@ -150,9 +150,7 @@ def simulated_points(study, points, shard):
     return {
         point: {
             "parameters": parameters.plain(),
-            "trials": [
-                (shard + i) * parameters.trials // RUN.shards for i in (0, 1)
-            ],
+            "trials": [(shard + i) * parameters.trials // RUN.shards for i in (0, 1)],
         }
         for point, parameters in of_points.items()
     }
@@ -214,7 +212,7 @@ def sheet(name):
     """Figures of a paper that read the same studies are drawn in one job, which is named so."""
     needed, paper = needs(name), Path(name).parent.name
     if needed.get("on_request"):
-        return name.replace("/", "_")
+        return "_".join(Path(name).parts)
     if needed.get("diff") or needed.get("leaderboard"):
         return f"{paper}_verdicts"
     read = {*needed.get("tables", []), *needed.get("points", {})} & STUDIES.keys()
@@ -233,7 +231,9 @@ def sheets():
 
 def figure_files():
     """Pictures of the figures that are part of a run."""
-    return [f"{FIGURES}/{name}.png" for names in SHEETS.values() for name in filter(is_drawn, names)]
+    return [
+        f"{FIGURES}/{name}.png" for names in SHEETS.values() for name in filter(is_drawn, names)
+    ]
 
 
 def figure_inputs(names):

@@ -160,7 +160,9 @@ rule user_log:
             "parameters": user_log_point().parameters.plain(),
             "changes": or_exit(user_values, RUN.parameters),
             "seed": RUN.root_seed,
-            "settings": REGISTRY.settings(wildcards.filter, asked_for("study"), asked_for("point")),
+            "settings": REGISTRY.settings(
+                wildcards.filter, asked_for("study"), asked_for("point")
+            ),
         },
         code=lambda wildcards: or_exit(
             code_digest,

@@ -18,8 +18,6 @@ rule study_figures:
         LAYOUT.job_log("study_figures", "{study}"),
     benchmark:
         LAYOUT.timing("study_figures", "{study}")
-    group:
-        "figures"
     conda:
         ENVIRONMENT
     params:
