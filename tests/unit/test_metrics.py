@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from repro.statistics import metrics
-from repro.statistics.runs import Runs, RunsWriter
+from repro.statistics.runs import Runs, RunsWriter, read_runs
 from repro.statistics.shards import Columns
 from repro.tables.results import Results
 
@@ -101,8 +101,21 @@ def test_quantities_of_runs_in_shards(tmp_path):
     results, where = Results(tmp_path, {}, 3, {}, [], 3.0), ("study", "point", "filter")
     np.testing.assert_array_equal(results.each(*where, lambda runs: runs.degenerate), VALUES[:, 0])
     of_steps = results.each(*where, lambda runs: runs.error[..., 0])
-    np.testing.assert_array_equal(np.concatenate(list(of_steps.blocks())).T, VALUES)
+    stored = VALUES.astype(np.float32).astype(float)
+    np.testing.assert_array_equal(np.concatenate(list(of_steps.blocks())).T, stored)
     runs = results.runs(*where)
-    np.testing.assert_array_equal(runs.error[..., 0], VALUES)
-    np.testing.assert_array_equal(runs.recorded["a"], VALUES)
+    np.testing.assert_array_equal(runs.error[..., 0], stored)
+    np.testing.assert_array_equal(runs.recorded["a"], stored)
     assert results.in_shards(*where).trials == 40
+
+
+def test_components_that_are_not_kept_are_nan(tmp_path):
+    """Nobody can take them for numbers."""
+    error = np.arange(24.0).reshape(2, 4, 3)
+    with (tmp_path / "0.npz").open("wb") as stream:
+        writer = RunsWriter(stream, components=(0, 2))
+        writer.add("point", Runs(error, None, np.zeros(2), recorded={}))
+        writer.close()
+    read = read_runs(tmp_path / "0.npz", "point").error
+    np.testing.assert_array_equal(read[..., [0, 2]], error[..., [0, 2]])
+    assert np.isnan(read[..., 1]).all()

@@ -31,6 +31,8 @@ from mcap.records import (
 
 from repro.logs.format import CRC, FOOTER_HEAD, MAGIC, RECORD_HEAD, index_dtype
 
+LEVEL = 6  # of zstd: logs are a fifth smaller than at 3, the default, in twice its time
+
 
 def _bytes(record: McapRecord) -> bytes:
     builder = RecordBuilder()
@@ -50,7 +52,7 @@ class Container:
         self._metadata: list[MetadataIndex] = []
         self._counts: dict[int, int] = {}
         self._times: list[int] = []
-        self._compressor = zstandard.ZstdCompressor()
+        self._compressor = zstandard.ZstdCompressor(LEVEL)
         self._put(MAGIC)
         self._put(_bytes(Header(profile, library)))
 
@@ -92,10 +94,13 @@ class Container:
         self._put(_bytes(self._schemas[-1]) + _bytes(self._channels[-1]))
         return number
 
-    def add_chunk(self, channel: int, records: np.ndarray) -> None:
-        """One chunk of message records of one channel, a structured array of `record_dtype`."""
-        data = records.tobytes()
-        times = records["log_time"]
+    def add_chunk(self, records: dict[int, np.ndarray]) -> None:
+        """One chunk of message records by channel, structured arrays of `record_dtype`.
+
+        Together, as what the records of a step have in common is then compressed to almost nothing.
+        """
+        data = b"".join(of_channel.tobytes() for of_channel in records.values())
+        times = np.concatenate([of_channel["log_time"] for of_channel in records.values()])
         compressed = self._compressor.compress(data)
         chunk = Chunk(
             compression="zstd",
@@ -106,21 +111,24 @@ class Container:
             uncompressed_size=len(data),
         )
         offset, length = self._put(_bytes(chunk))
-        index_offset, index_length = self._put(_message_index(channel, records))
+        offsets, begin = {}, 0
+        for channel, of_channel in records.items():
+            offsets[channel], _ = self._put(_message_index(channel, of_channel, begin))
+            begin += of_channel.nbytes
+            self._counts[channel] = self._counts.get(channel, 0) + len(of_channel)
         self._chunks.append(
             ChunkIndex(
                 message_start_time=chunk.message_start_time,
                 message_end_time=chunk.message_end_time,
                 chunk_start_offset=offset,
                 chunk_length=length,
-                message_index_offsets={channel: index_offset},
-                message_index_length=index_length,
+                message_index_offsets=offsets,
+                message_index_length=self._position - offset - length,
                 compression=chunk.compression,
                 compressed_size=len(compressed),
                 uncompressed_size=len(data),
             )
         )
-        self._counts[channel] = self._counts.get(channel, 0) + len(records)
         self._times += [chunk.message_start_time, chunk.message_end_time]
 
     def finish(self) -> None:
@@ -158,10 +166,10 @@ class Container:
         self._stream.write(end + summary + footer + MAGIC)
 
 
-def _message_index(channel: int, records: np.ndarray) -> bytes:
-    """The MessageIndex record of a chunk: log time and offset of each of its messages."""
+def _message_index(channel: int, records: np.ndarray, begin: int) -> bytes:
+    """The MessageIndex record of a channel in a chunk: log time and offset of each message."""
     entries = np.empty(len(records), dtype=index_dtype())
     entries["log_time"] = records["log_time"]
-    entries["offset"] = np.arange(len(records)) * records.dtype.itemsize
+    entries["offset"] = begin + np.arange(len(records)) * records.dtype.itemsize
     body = channel.to_bytes(2, "little") + entries.nbytes.to_bytes(4, "little") + entries.tobytes()
     return RECORD_HEAD.pack(Opcode.MESSAGE_INDEX, len(body)) + body

@@ -23,7 +23,7 @@ from repro.logs.format import (
     schema_text,
 )
 
-TRIALS_A_BLOCK = 50  # topics alternate in blocks of trials, so that a player reads them together
+TRIALS_A_BLOCK = 50  # in a chunk, so that a player reads the topics together
 
 
 def write_log(
@@ -63,11 +63,13 @@ def _write_messages(container: Container, log: Log, period_ns: int) -> None:
     }
     for first in range(0, len(log.trials), TRIALS_A_BLOCK):
         block = slice(first, first + TRIALS_A_BLOCK)
-        for topic, values in log.values.items():
-            records = _records(
+        records = {
+            channels[topic]: _records(
                 channels[topic], log.trials[block], values[block], log.steps, period_ns
             )
-            container.add_chunk(channels[topic], records)
+            for topic, values in log.values.items()
+        }
+        container.add_chunk(records)
 
 
 def _records(

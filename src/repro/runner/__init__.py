@@ -111,7 +111,7 @@ def run_filter(
     """
     seconds = {}
     with atomic_write(path) as part, part.open("wb") as stream:
-        writer = RunsWriter(stream)
+        writer = RunsWriter(stream, plugins.study(study).kept_components)
         for point, log_path in logs.items():
             begun = time.process_time()
             _, runs = run(read_checked_log(log_path, study, point), name, settings[point])

@@ -35,6 +35,7 @@ class Study(ABC):
     constant_topics: ClassVar[tuple[str, ...]] = ()  # of one message a trial
     topics_between_steps: ClassVar[tuple[str, ...]] = ()  # of one message a trial fewer than steps
     log_remark: ClassVar[str] = ""  # what a log recorded elsewhere must have, if unexpected
+    kept_components: ClassVar[tuple[int, ...] | None] = None  # of the errors, in files; None: all
     keeps_claimed_variance: ClassVar[bool] = True  # the variances that the filters claim
     keeps_inferred_arrivals: ClassVar[bool] = False  # what the filters infer of the arrivals
 
@@ -95,7 +96,7 @@ class Study(ABC):
 
         The whole state from the first estimated step on, unless a study overrides it.
         """
-        return np.vecdot(runs.error, runs.error)[:, 1:]
+        return (runs.error**2).sum(axis=-1)[:, 1:]
 
     def lost(self, runs: Runs, analysis: Any) -> np.ndarray | None:
         """Which runs have lost what they track, (trials,); None where none can."""

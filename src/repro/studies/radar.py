@@ -116,6 +116,7 @@ class Radar(Study):
     keeps_claimed_variance = False  # no table shows them
     trajectory = (("p1", "p2"),)
     error_unit = "m"
+    kept_components = (system.STATE.index("p1"), system.STATE.index("p2"))
 
     def topics(self, parameters: Parameters) -> Fields:
         return {

@@ -152,6 +152,7 @@ class WsnTracking(Study):
     Analysis = Analysis
     trajectory = (("px", "py"),)
     error_unit = "m"
+    kept_components = (STATE.index("px"), STATE.index("py"))
     constant_topics = ("/field",)
     log_remark = (
         "a filter's own prediction chooses the sensor, so the log must have the range to every "
