@@ -14,6 +14,7 @@ IMPORT = re.compile(r"^ *(?:from|import) +(repro[\w.]*)(?: +import +(\([^)]*\)|.
 NAME = re.compile(r"\b(\w+)\b(?: +as +\w+)?")
 
 SOURCE = Path(__file__).resolve().parents[2]
+PROJECT = SOURCE.parent
 
 
 @cache
@@ -23,13 +24,13 @@ def code_files(*starts: str) -> list[str]:
     Paths are relative to the folder that holds src/, sorted; a script itself is not listed.
     Raises ReproError for a module or script that does not exist.
     """
-    reached: set[Path] = set()
-    todo: list[Path] = []
+    reached: set[str] = set()
+    todo: list[str] = []
     for start in starts:
         if start.endswith(".py"):
             if not Path(start).exists():
                 raise ReproError(f"code(): there is no script {start}")
-            todo += _imported(Path(start))
+            todo += _imported(start)
         else:
             files = _module_files(start)
             if not files:
@@ -39,23 +40,24 @@ def code_files(*starts: str) -> list[str]:
         file = todo.pop()
         if file not in reached:
             reached.add(file)
-            todo += _imported(file)
-    return sorted(str(file.relative_to(SOURCE.parent)) for file in reached)
+            todo += _imported(PROJECT / file)
+    return sorted(reached)
 
 
 @cache
 def code_digest(*starts: str) -> str:
     """Digest of the reached files: an edit changes it, a new time stamp does not."""
-    digests = [f"{file} {_digest(SOURCE.parent / file)}" for file in code_files(*starts)]
+    digests = [f"{file} {_digest(file)}" for file in code_files(*starts)]
     return sha256("\n".join(digests).encode()).hexdigest()
 
 
 @cache
-def _digest(file: Path) -> str:
-    return sha256(file.read_bytes()).hexdigest()
+def _digest(file: str) -> str:
+    return sha256((PROJECT / file).read_bytes()).hexdigest()
 
 
-def _module_files(module: str) -> list[Path]:
+@cache
+def _module_files(module: str) -> list[str]:
     """Files of a module and of the packages above it; none if it is not of this package."""
     parts = module.split(".")
     if parts[0] != "repro":
@@ -66,18 +68,19 @@ def _module_files(module: str) -> list[Path]:
         SOURCE.joinpath(*parts) / "__init__.py",
     ):
         if candidate.exists():
-            return [*packages, candidate]
+            return [str(file.relative_to(PROJECT)) for file in (*packages, candidate)]
     return []
 
 
 @cache
-def _imported(file: Path) -> list[Path]:
-    files = []
-    for module, names in IMPORT.findall(file.read_text()):
-        files += _module_files(module)
+def _imported(file: str | Path) -> list[str]:
+    """Files of the modules that a file imports, each once."""
+    files: dict[str, None] = {}
+    for module, names in IMPORT.findall(Path(file).read_text(encoding="utf-8")):
+        files |= dict.fromkeys(_module_files(module))
         for name in NAME.findall(names):
-            files += _module_files(f"{module}.{name}")
-    return files
+            files |= dict.fromkeys(_module_files(f"{module}.{name}"))
+    return list(files)
 
 
 @cache
