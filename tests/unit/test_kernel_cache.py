@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from repro.kernels import compiled
+from repro.kernels import compiled, machine_code
 
 SOURCE = """
 from repro.kernels.compiled import kernel
@@ -22,7 +22,7 @@ CALL = """
 import sys
 sys.path.insert(0, sys.argv[1])
 from own_kernels import shifted
-print(shifted(2.0), sum(shifted.stats.cache_hits.values()))
+print(shifted(2.0), sum(shifted.dispatcher.stats.cache_hits.values()))
 """
 
 
@@ -65,7 +65,7 @@ def result(process):
 
 
 def entries(folder):
-    return sorted(folder.rglob(f"*{compiled.SUFFIX}"))
+    return sorted(folder.rglob(f"*{machine_code.SUFFIX}"))
 
 
 def test_kept_rebuilt_and_renewed(folder):
@@ -109,7 +109,7 @@ def test_two_processes_at_once(folder):
     assert [result(process)[0] for process in both] == [3.0, 3.0]
     assert len(entries(folder)) == 1
     assert called(folder) == (3.0, 1)
-    assert {path.suffix for path in (folder / "__pycache__").iterdir()} == {compiled.SUFFIX}
+    assert {path.suffix for path in (folder / "__pycache__").iterdir()} == {machine_code.SUFFIX}
 
 
 def test_a_closure_is_refused():

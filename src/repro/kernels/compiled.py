@@ -1,33 +1,40 @@
-"""The one decorator of compiled kernels, and where their machine code is kept.
+"""The decorators of compiled kernels.
 
-numba's own cache has one index a function. Two jobs that save at once can lose an entry, or leave
-an index whose entry names the code of another signature or of another kind of CPU; a corrupt index
-is a traceback; and a change of a kernel that is called from another file goes unnoticed. Here every
-entry is a file of its own, named by all that its code depends on and checked when it is read.
+numba is imported when a kernel is first called: Snakemake reads the parameters of all studies at
+every start, and numba would take as long as all of that.
 """
 
-import hashlib
-import os
-import pickle
-import platform
-import sys
-import tempfile
-from collections.abc import Callable, Iterator
-from functools import cache
-from pathlib import Path
+from collections.abc import Callable
+from functools import cached_property, update_wrapper
 from typing import Any
 
-import llvmlite
-import numba
-import numpy as np
-from numba.core import config
-from numba.core.caching import NullCache
-from numba.core.compiler import CompileResult
-from numba.core.serialize import dumps
 
-SUFFIX = ".kernel"
-_PACKAGE = Path(__file__).parent
-_DIGEST = hashlib.sha256().digest_size
+class Kernel:
+    """A function that is compiled when it is first called, or called by another kernel."""
+
+    def __init__(self, function: Callable, **options: Any):
+        if function.__closure__:
+            raise TypeError(
+                f"kernel {function.__qualname__} is a closure; pass what it needs as data"
+            )
+        self._function, self._options = function, options
+        update_wrapper(self, function)
+
+    @cached_property
+    def dispatcher(self) -> Any:
+        """What numba has made of it."""
+        from repro.kernels.machine_code import compiled
+
+        ieee = {"error_model": "numpy", "fastmath": False, "_nrt": False}
+        return compiled(self._function, **ieee, **self._options)
+
+    def __call__(self, *arguments: Any) -> Any:
+        return self.dispatcher(*arguments)
+
+    @property
+    def _numba_type_(self) -> Any:
+        """By which numba knows it within another kernel."""
+        return self.dispatcher._numba_type_
 
 
 def kernel(function: Callable) -> Any:
@@ -38,123 +45,9 @@ def kernel(function: Callable) -> Any:
     slices would cost more than what is done with them. Raises TypeError for a closure, which would
     be compiled anew in every process.
     """
-    return _compiled(function)
+    return Kernel(function)
 
 
 def scalar(function: Callable) -> Any:
     """A kernel of scalars, put into each loop that calls it, for only so can it be vectorised."""
-    return _compiled(function, forceinline=True)
-
-
-def _compiled(function: Callable, **options: Any) -> Any:
-    if function.__closure__:
-        raise TypeError(f"kernel {function.__qualname__} is a closure; pass what it needs as data")
-    options |= {"error_model": "numpy", "fastmath": False, "_nrt": False}
-    compiled: Any = numba.jit(nopython=True, **options)(function)
-    if hasattr(compiled, "_cache"):  # not so under NUMBA_DISABLE_JIT
-        compiled._cache = KernelCache(function)
-    return compiled
-
-
-class KernelCache(NullCache):
-    """Machine code of one kernel, one file for each signature, kind of CPU and source."""
-
-    def __init__(self, function: Callable):
-        self._source = Path(function.__code__.co_filename)
-        self._name = f"{function.__module__}.{function.__qualname__}"
-
-    @property
-    def cache_path(self) -> str | None:
-        """Where a new entry would be looked for first."""
-        return next((str(place) for place in self._places()), None)
-
-    def load_overload(self, sig: Any, target_context: Any) -> CompileResult | None:
-        """The compiled signature, or None if there is none or it cannot be read."""
-        target_context.refresh()
-        name = self._file_name(sig, target_context.codegen())
-        for place in self._places():
-            try:
-                stored = (place / name).read_bytes()
-                payload = stored[_DIGEST:]
-                if hashlib.sha256(payload).digest() == stored[:_DIGEST]:
-                    return CompileResult._rebuild(target_context, *pickle.loads(payload))
-            except Exception:  # whatever is wrong with an entry, the kernel can be compiled anew
-                continue
-        return None
-
-    def save_overload(self, sig: Any, data: CompileResult) -> None:
-        """Keep a compiled signature in the first place that can be written, if there is one."""
-        if data.library.has_dynamic_globals or any(not lifted.can_cache for lifted in data.lifted):
-            raise TypeError(f"kernel {self._name} holds an address or a large array as a global")
-        payload = dumps(data._reduce())
-        name = self._file_name(sig, data.codegen)
-        for place in self._places():
-            try:
-                place.mkdir(parents=True, exist_ok=True)
-                _write(place / name, hashlib.sha256(payload).digest() + payload)
-                self._drop_stale(place)
-            except OSError:  # not writable, or full
-                continue
-            return
-
-    def _places(self) -> Iterator[Path]:
-        """NUMBA_CACHE_DIR alone, if it is set; else beside the source, else the user's cache."""
-        folder = self._source.resolve().parent
-        own = hashlib.sha256(str(folder).encode()).hexdigest()[:16]
-        named = _setting("CACHE_DIR")
-        if named:
-            yield Path(named) / f"repro-{own}"
-            return
-        yield folder / "__pycache__"
-        home = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")  # noqa: PTH111
-        if Path(home).is_absolute():  # there is no home of an unknown user
-            yield Path(home) / "repro" / own
-
-    def _file_name(self, sig: Any, codegen: Any) -> str:
-        depends_on = (
-            repr(sig),
-            codegen.magic_tuple(),
-            [_setting(n) for n in ("OPT", "LOOP_VECTORIZE", "SLP_VECTORIZE", "BOUNDSCHECK")],
-            (numba.__version__, llvmlite.__version__, np.__version__),
-            (platform.python_implementation(), sys.version_info[:3], getattr(sys, "abiflags", "")),
-        )
-        key = hashlib.sha256(repr(depends_on).encode()).hexdigest()[:32]
-        return f"{self._name}.{self._stamp()}.{key}{SUFFIX}"
-
-    def _stamp(self) -> str:
-        """Digest of every source that the code may come from: all kernels, and its own file."""
-        own = None if self._source.is_relative_to(_PACKAGE) else self._source
-        return _digest_of_sources(own)
-
-    def _drop_stale(self, place: Path) -> None:
-        """Remove what earlier sources of the kernel left."""
-        for entry in place.glob(f"{self._name}.*{SUFFIX}"):
-            if not entry.name.startswith(f"{self._name}.{self._stamp()}."):
-                entry.unlink(missing_ok=True)
-
-
-def _setting(name: str) -> Any:
-    """A setting of numba, from its environment variable NUMBA_<name>."""
-    return getattr(config, name)
-
-
-@cache
-def _digest_of_sources(other: Path | None) -> str:
-    """Of the kernels' sources, and of one other file, as they are when first asked for."""
-    digest = hashlib.sha256()
-    for path in [*sorted(_PACKAGE.rglob("*.py")), *([other] if other else [])]:
-        digest.update(path.name.encode() + b"\0" + hashlib.sha256(path.read_bytes()).digest())
-    return digest.hexdigest()[:16]
-
-
-def _write(path: Path, content: bytes) -> None:
-    """Write a file that appears whole or not at all."""
-    descriptor, part = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:40]}")
-    try:
-        with os.fdopen(descriptor, "wb") as stream:
-            stream.write(content)
-        Path(part).chmod(0o644)
-        Path(part).replace(path)
-    except BaseException:
-        Path(part).unlink(missing_ok=True)
-        raise
+    return Kernel(function, forceinline=True)
