@@ -1,0 +1,68 @@
+"""A small version of every study, as digests: logs, estimates and statistics of a few trials.
+
+They are the same bytes on every machine; those that are committed let anyone see whether a machine
+agrees: `python -m tests.reference`. After a change that is meant to move numbers, `--write`.
+"""
+
+import hashlib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from repro import plugins
+from repro.parameters.load import load_paper
+from repro.parameters.point_names import on_request
+from repro.runner import run
+from repro.statistics.shards import Shards
+from tests.conftest import ROOT, catalogue, points, settings, small_log
+
+COMMITTED = Path(__file__).parent / "digests.txt"
+TRIALS, STEPS = 3, 40
+
+
+def digests(study: str) -> list[str]:
+    """A line for the log and for each filter of the first point of each family."""
+    lines = []
+    for point, filters in _first_of_families(study).items():
+        log = small_log(study, point, TRIALS, STEPS)
+        lines.append(f"{study} {point} log {_digest(log.values)}")
+        for name in filters:
+            estimate, runs = run(log, name, settings(study, point, name))
+            arrays = {"estimate": estimate, "error": runs.error} | runs.recorded
+            if runs.claimed is not None:
+                arrays["claimed"] = runs.claimed
+            arrays |= _statistics(study, Shards([lambda runs=runs: runs], [TRIALS]))
+            lines.append(f"{study} {point} {name} {_digest(arrays)}")
+    return lines
+
+
+def _first_of_families(study: str) -> dict[str, list[str]]:
+    """The filters of the first point of each family."""
+    families: dict[str, str] = {}
+    for point, filters in catalogue()[study].items():
+        if filters and not on_request(point):
+            families.setdefault(points()[study][point].family, point)
+    return {point: catalogue()[study][point] for point in families.values()}
+
+
+def _statistics(study: str, shards: Shards) -> dict[str, Any]:
+    """What a study's table and curves have."""
+    scenario = plugins.study(study)
+    (given,) = (
+        paper.analysis[study]
+        for paper in map(load_paper, sorted((ROOT / "params").glob("[!r]*.yaml")))
+        if study in paper.studies
+    )
+    analysis = scenario.Analysis.checked(given, study)
+    rows = [*scenario.rows(shards, analysis), *scenario.curves(shards)]
+    return {f"{metric} {of}": np.array(row, dtype=float) for metric, of, row in rows}
+
+
+def _digest(arrays: dict[str, np.ndarray]) -> str:
+    total = hashlib.sha256()
+    for name, values in sorted(arrays.items()):
+        numbers = np.ascontiguousarray(values)
+        numbers = np.where(np.isnan(numbers), np.nan, numbers)  # a NaN has many bit patterns
+        total.update(name.encode() + numbers.tobytes())
+    return total.hexdigest()[:16]

@@ -1,0 +1,37 @@
+"""The same bytes with other libraries and on another kind of CPU."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from tests.conftest import ROOT
+
+# Imitations of another machine: by OpenBLAS, by NumPy, by the C library, by numba.
+ENVIRONMENTS = {
+    "as it is": {},
+    "without AVX": {
+        "OPENBLAS_CORETYPE": "Nehalem",
+        "NPY_DISABLE_CPU_FEATURES": "X86_V3 X86_V4",
+        "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-AVX512F",
+    },
+    "without AVX-512": {
+        "OPENBLAS_CORETYPE": "Haswell",
+        "NPY_DISABLE_CPU_FEATURES": "X86_V4",
+    },
+    "any x86": {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""},
+}
+
+
+@pytest.mark.parametrize("name", ENVIRONMENTS)
+def test_the_bytes_are_those_that_are_committed(name):
+    path = os.pathsep.join([str(ROOT / "src"), str(ROOT)])
+    run = subprocess.run(
+        [sys.executable, "-W", "ignore", "-m", "tests.reference"],
+        cwd=ROOT,
+        env=os.environ | ENVIRONMENTS[name] | {"PYTHONPATH": path},
+        capture_output=True,
+        text=True,
+    )
+    assert run.returncode == 0, run.stdout + run.stderr
