@@ -1,4 +1,11 @@
-"""Paired differences between filters on the same trials."""
+"""Differences between filters, on the same trials or on others."""
+
+import numpy as np
+
+
+def independent_error(one: float, other: float) -> float:
+    """Standard error of the difference of two independent numbers with these."""
+    return float(np.sqrt(one * one + other * other))
 
 
 def decided(difference: float, mcse: float, tolerance: float) -> str:

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 
 from repro import plugins
+from repro.kernels import arrays
 from repro.parameters.paper_file import Ranking
 from repro.statistics import metrics
 from repro.statistics.metrics import Jackknife
@@ -113,5 +114,6 @@ def tabulate_ranking(results: Results, study: str, table: str, over_k: str, shar
 
 def geometric_mean(values: Any) -> float:
     """Of the values that are known; 0 if one of them is 0."""
-    with np.errstate(divide="ignore"):
-        return float(np.exp(np.log(values).mean()))
+    known = np.asarray(values, dtype=float)
+    known = known[~np.isnan(known)]
+    return float(arrays.exp(arrays.log(known).mean())) if len(known) else np.nan

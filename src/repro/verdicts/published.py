@@ -8,6 +8,7 @@ import numpy as np
 import pandas as pd
 
 from repro.errors import ReproError
+from repro.statistics.paired import independent_error
 from repro.verdicts.claims import overall
 
 VERDICTS = {"value": ("match", "differs"), "claim": ("holds", "fails", "undecided")}
@@ -57,7 +58,7 @@ def compare_value(
     """
     value, mcse = float(ours["value"]), float(ours["mcse"])
     their_error = mcse * float(np.sqrt(ours["trials"] / their_trials))
-    error = float(np.hypot(mcse, their_error))
+    error = independent_error(mcse, their_error)
     rounding = 0.5 * 10.0**-digits
     difference = value - published
     allowed = tolerance * error + rounding

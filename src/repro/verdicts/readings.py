@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 
 from repro.parameters.point_names import is_reading
+from repro.statistics.paired import independent_error
 from repro.verdicts.published import KEYS, compare_value
 
 IDENTITY = ("filter", "metric", "component")  # of a statistic of a point
@@ -97,7 +98,10 @@ def readings(
                 value=ours["value"],
                 mcse=ours["mcse"],
                 z=float(
-                    np.divide(ours["value"] - there["value"], np.hypot(ours["mcse"], there["mcse"]))
+                    np.divide(
+                        ours["value"] - there["value"],
+                        independent_error(ours["mcse"], there["mcse"]),
+                    )
                 ),
                 published="" if row is None else row["value"],
                 base_verdict=_verdict(row, there, tolerance),
