@@ -37,10 +37,11 @@ def simulate(
     seed: int,
     trials: tuple[int, int],
     path: str | Path,
+    origin: str = "",
 ) -> None:
-    """Write the log of trials first ... last - 1."""
+    """Write the log of trials first ... last - 1; `origin` is what its readers ask for."""
     scenario = plugins.study(study)
     typed = scenario.Parameters.checked(parameters, f"{study}, {point}: parameters")
     with computing(f"{study}, {point}"):
         log = simulated(study, point, typed, seed, np.arange(*trials))
-        write_log(path, log, scenario.period(typed))
+        write_log(path, log, scenario.period(typed), origin=origin)

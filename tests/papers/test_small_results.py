@@ -24,7 +24,7 @@ from repro.parameters.load import Paper, Point, load_paper, load_run
 from repro.parameters.point_names import batch_of, on_request
 from repro.plot import study_figures, style
 from repro.plot.draw import draw
-from repro.runner import run_filter
+from repro.runner import FilteredPoint, run_filter
 from repro.simulate import simulate
 from repro.tables.ranking import tabulate_ranking
 from repro.tables.results import Results
@@ -170,10 +170,11 @@ def run_study(results: Results, study: str, points: dict[str, Point]) -> None:
             runs.setdefault(name, {}).setdefault(batch_of(point), []).append(point)
     for name, batches in runs.items():
         for batch, batched in batches.items():
-            settings = {point: points[point].filters.get(name, {}) for point in batched}
-            of_points = {point: logs[point] for point in batched}
-            path = created(layout.run(study, batch, name, 0))
-            run_filter(of_points, study, name, settings, path)
+            of_points = {
+                point: FilteredPoint(logs[point], points[point].filters.get(name, {}))
+                for point in batched
+            }
+            run_filter(study, name, of_points, created(layout.run(study, batch, name, 0)))
 
 
 def ranking_files(results: Results, study: str) -> list[str]:

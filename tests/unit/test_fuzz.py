@@ -17,7 +17,7 @@ from repro.logs.user_log import read_user_log
 from repro.parameters.load import load_paper, load_run
 from repro.parameters.settings import checked_settings
 from repro.parameters.yaml_file import read_yaml
-from repro.runner import run_filter
+from repro.runner import FilteredPoint, run_filter
 from repro.simulate import simulate
 from tests.conftest import ROOT, SEED, points, registered, small_log
 
@@ -141,7 +141,8 @@ def test_a_point_with_anything_that_its_types_allow(study, choice, tmp_path):
     def work():
         settings = checked_settings(name, content["settings"], f"{study}: filters.{name}")
         simulate(study, point, content["parameters"], SEED, (0, 2), log)
-        run_filter({point: log}, study, name, {point: settings}, tmp_path / "0.npz")
+        points = {point: FilteredPoint(log, settings)}
+        run_filter(study, name, points, tmp_path / "0.npz")
 
     with np.errstate(all="ignore"):
         refused_in_one_line(work, study)

@@ -2,6 +2,7 @@
 import os
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 SOURCE = Path(workflow.basedir) / "src"
@@ -24,6 +25,7 @@ from repro.parameters.load import (
     load_run,
     user_values,
 )
+from repro.parameters.origin import digest, of_shard, origin
 from repro.parameters.point_names import on_request
 from repro.workflow.code import code_digest, code_files, constants
 from repro.workflow.lock import hold
@@ -96,17 +98,39 @@ def runs(name, studies, points="*", skip=()):
 
 
 def filtered_points(wildcards):
-    """Points of a batch that the filter runs on, with its settings: its rule's, else params/'s."""
-    name, study = wildcards.filter, wildcards.study
-    return {
-        point: REGISTRY.settings(name, study, point)
-        for point in REGISTRY.in_batch(name, study, wildcards.batch)
-    }
+    """What a filter's job needs of each point of its batch: see `FilteredPoint`."""
+    name, study, shard = wildcards.filter, wildcards.study, int(wildcards.shard)
+    points = {}
+    for point in REGISTRY.in_batch(name, study, wildcards.batch):
+        trials = of_shard(STUDIES[study][point].parameters.trials, shard, RUN.shards)
+        points[point] = {
+            "log": LAYOUT.log(study, point, shard),
+            "settings": REGISTRY.settings(name, study, point),
+            "log_origin": origin(log_made_with(study, point), trials),
+            "origin": origin(runs_made_with(name, study, point), trials),
+        }
+    return points
 
 
 def filtered_logs(wildcards):
     """Logs of those points."""
-    return [LAYOUT.log(wildcards.study, p, wildcards.shard) for p in filtered_points(wildcards)]
+    return [point["log"] for point in filtered_points(wildcards).values()]
+
+
+@cache
+def log_made_with(study, point):
+    """Digest of what the trials of a point are simulated with."""
+    parameters = STUDIES[study][point].parameters.plain()
+    simulation = or_exit(code_digest, "repro.simulate", f"repro.studies.{study}")
+    return digest(study, point, parameters, RUN.root_seed, simulation)
+
+
+@cache
+def runs_made_with(name, study, point):
+    """Digest of what a filter's runs on a point are made with."""
+    estimation = or_exit(code_digest, "repro.runner", f"repro.filters.{name}")
+    settings = REGISTRY.settings(name, study, point)
+    return digest(log_made_with(study, point), settings, estimation)
 
 
 def point_filters(wildcards):
@@ -122,14 +146,14 @@ def code(*modules):
     """
     or_exit(code_files, *(module for module in modules if "{" not in module))
 
-    def digest(wildcards):
+    def reached_code(wildcards):
         values = dict(wildcards.items())
         study = [f"repro.studies.{values['study']}"] if "study" in values else []
         reached = (module.format(**values) for module in modules)
         return or_exit(code_digest, "repro.workflow.job", *reached, *study)
 
-    digest.modules = modules
-    return digest
+    reached_code.modules = modules
+    return reached_code
 
 
 def results_of(studies, requested=False):
@@ -141,19 +165,34 @@ def results_of(studies, requested=False):
         "studies": {study: DESCRIBED[study] for study in studies},
         "own_filters": REGISTRY.own_filters(RANKED),
         "tolerance": RUN.tolerance,
+        "origins": {study: origins(study, requested) for study in studies},
+    }
+
+
+def origins(study, requested):
+    """What the results of each point of a study must come from."""
+    return {
+        point: {
+            "trials": STUDIES[study][point].parameters.trials,
+            "log": log_made_with(study, point),
+            "filters": {name: runs_made_with(name, study, point) for name in filters},
+        }
+        for point, filters in REGISTRY.catalogue(study, requested=requested)[study].items()
     }
 
 
 def simulated_points(study, points, shard):
-    """Parameters, and first and last + 1 of the trials, of a shard of the points."""
-    of_points = {point: STUDIES[study][point].parameters for point in points}
-    return {
-        point: {
+    """Parameters, trials and origin of a shard of the points."""
+    simulated = {}
+    for point in points:
+        parameters = STUDIES[study][point].parameters
+        trials = of_shard(parameters.trials, shard, RUN.shards)
+        simulated[point] = {
             "parameters": parameters.plain(),
-            "trials": [(shard + i) * parameters.trials // RUN.shards for i in (0, 1)],
+            "trials": trials,
+            "origin": origin(log_made_with(study, point), trials),
         }
-        for point, parameters in of_points.items()
-    }
+    return simulated
 
 
 def studies_of(paper):

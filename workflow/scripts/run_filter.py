@@ -1,7 +1,7 @@
-from repro.runner import run_filter
+from repro.runner import FilteredPoint, run_filter
 from repro.workflow.job import job
 
-at, points = snakemake.wildcards, snakemake.params.points
+at, given = snakemake.wildcards, snakemake.params.points
 with job(snakemake.log[0]) as usage:
-    logs = dict(zip(points, snakemake.input.logs, strict=True))
-    usage.of_points = run_filter(logs, at.study, at.filter, points, snakemake.output[0])
+    points = {name: FilteredPoint(**point) for name, point in given.items()}
+    usage.of_points = run_filter(at.study, at.filter, points, snakemake.output[0])

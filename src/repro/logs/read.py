@@ -17,6 +17,7 @@ from repro.logs.format import (
     record_dtype,
     schema_text,
 )
+from repro.parameters.origin import check_origin
 from repro.parameters.values import PointParameters
 
 
@@ -25,8 +26,9 @@ def read_log(
     fields: Mapping[str, tuple[str, ...]] | None = None,
     study: str | None = None,
     point: str | None = None,
+    origin: str | None = None,
 ) -> Log:
-    """Read a log and check it against the expected topics, study and point, where given.
+    """Read a log and check it against the expected topics, study, point and origin, where given.
 
     Raises LogError with one line that names the file, the topic and the cause: truncated or
     changed bytes (every CRC of the format is checked), a missing topic, another schema, missing or
@@ -49,6 +51,8 @@ def read_log(
             f"{path}: metadata '{PROVENANCE}': the log is of point "
             f"'{provenance['point']}', expected is '{point}'"
         )
+    if origin is not None:
+        check_origin(str(path), provenance.get("origin", ""), origin)
     topics = fields if fields is not None else _own_fields(content)
     scenario = plugins.study(provenance["study"])
     once, between = scenario.constant_topics, scenario.topics_between_steps

@@ -27,11 +27,16 @@ TRIALS_A_BLOCK = 50  # in a chunk, so that a player reads the topics together
 
 
 def write_log(
-    path: str | Path, log: Log, period: float, attachments: dict[str, bytes] | None = None
+    path: str | Path,
+    log: Log,
+    period: float,
+    attachments: dict[str, bytes] | None = None,
+    origin: str = "",
 ) -> None:
     """Write `log`, `period` seconds of log clock a step; the file appears complete or not at all.
 
-    `attachments` are JSON texts by name, beside the parameters.
+    `attachments` are JSON texts by name, beside the parameters; `origin` is what `read_log` can
+    ask for.
     """
     with atomic_write(path) as part, part.open("wb") as stream:
         container = Container(stream, PROFILE, f"repro {__version__}")
@@ -44,6 +49,7 @@ def write_log(
                 "first_trial": str(log.trials[0]),
                 "trials": str(len(log.trials)),
                 "period_s": repr(period),
+                "origin": origin,
             },
         )
         parameters = json.dumps(log.parameters.plain(), sort_keys=True, indent=1)

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -102,20 +102,30 @@ def _claimed(of_blocks: list[np.ndarray | None]) -> np.ndarray | None:
     return np.concatenate([part for part in of_blocks if part is not None])
 
 
+class FilteredPoint(NamedTuple):
+    """What a job needs of a point to run a filter on it."""
+
+    log: str  # its file
+    settings: dict[str, Any]
+    log_origin: str | None = None  # what the log must come from; None: anything
+    origin: str = ""  # what the runs come from
+
+
 def run_filter(
-    logs: Mapping[str, str], study: str, name: str, settings: Mapping[str, Any], path: str | Path
+    study: str, name: str, points: Mapping[str, FilteredPoint], path: str | Path
 ) -> dict[str, float]:
     """Run the filter on one log after another and write all runs; the file appears whole or not.
 
-    `logs` and `settings` are by point. Returns the CPU seconds that each point took.
+    Returns the CPU seconds that each point took.
     """
     seconds = {}
     with atomic_write(path) as part, part.open("wb") as stream:
         writer = RunsWriter(stream, plugins.study(study).kept_components)
-        for point, log_path in logs.items():
+        for point, given in points.items():
             begun = time.process_time()
-            _, runs = run(read_checked_log(log_path, study, point), name, settings[point])
-            writer.add(point, runs)
+            log = read_checked_log(given.log, study, point, given.log_origin)
+            _, runs = run(log, name, given.settings)
+            writer.add(point, runs, given.origin)
             seconds[point] = time.process_time() - begun
         writer.close()
     return seconds
@@ -129,8 +139,8 @@ def flown(log: Log, filter_: Any, settings: dict[str, Any]) -> Log:
     return loop.flight(log, estimate, runs)
 
 
-def read_checked_log(path: str, study: str, point: str) -> Log:
-    """The log at `path`, checked to be of that study and point with that study's topics."""
-    log = read_log(path, study=study, point=point)
+def read_checked_log(path: str, study: str, point: str, origin: str | None) -> Log:
+    """The log at `path`, checked to be of that study, point and origin, with the study's topics."""
+    log = read_log(path, study=study, point=point, origin=origin)
     wanted = plugins.study(study).topics(log.parameters)
     return log if log.fields == wanted else read_log(path, wanted, study, point)

@@ -7,6 +7,8 @@ from typing import BinaryIO, NamedTuple
 
 import numpy as np
 
+from repro.parameters.origin import check_origin
+
 
 class Runs(NamedTuple):
     """What a filter's jobs keep of one (study, point), all trials in order."""
@@ -31,12 +33,12 @@ class RunsWriter:
         self._archive = zipfile.ZipFile(stream, "w")
         self._components = components
 
-    def add(self, point: str, runs: Runs) -> None:
-        """Write the runs of a point."""
+    def add(self, point: str, runs: Runs, origin: str = "") -> None:
+        """Write the runs of a point; `origin` is what their readers ask for."""
         n = runs.error.shape[2]
         components = np.arange(n) if self._components is None else np.array(self._components)
         arrays = {"error": runs.error[..., components], "components": np.array([n, *components])}
-        arrays["degenerate"] = runs.degenerate
+        arrays |= {"degenerate": runs.degenerate, "origin": np.array(origin)}
         if runs.claimed is not None:
             arrays["claimed"] = runs.claimed
         arrays |= {f"recorded/{name}": value for name, value in runs.recorded.items()}
@@ -49,9 +51,14 @@ class RunsWriter:
         self._archive.close()
 
 
-def read_runs(path: str | Path, point: str) -> Runs:
-    """The runs of a point from the file of its batch; components that were not kept are NaN."""
+def read_runs(path: str | Path, point: str, origin: str | None = None) -> Runs:
+    """The runs of a point from the file of its batch; components that were not kept are NaN.
+
+    Raises ReproError if `origin` is given, and the runs have another.
+    """
     with np.load(path) as file:
+        if origin is not None:
+            check_origin(f"{path}, {point}", file[f"{point}/origin"].item(), origin)
         names = [name for name in file.files if name.startswith(f"{point}/")]
         of_point = {name.removeprefix(f"{point}/"): _double(file[name]) for name in names}
     n, *components = of_point["components"]

@@ -1,7 +1,7 @@
 """The files under results/, read for the tables, claims, figures and views."""
 
 import itertools
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -12,10 +12,14 @@ import pandas as pd
 from repro import plugins
 from repro.layout import Catalogue, Layout
 from repro.logs import Log, read_log
+from repro.parameters.origin import of_shard, origin
 from repro.parameters.paper_file import Ranking
 from repro.parameters.point_names import batch_of
 from repro.statistics.runs import Runs, read_runs, read_trials
 from repro.statistics.shards import Shards, merged
+
+# Study -> point -> "trials", "log" (digest of what logs are made with), "filters" (of runs).
+Origins = Mapping[str, Mapping[str, Mapping[str, Any]]]
 
 
 class Results:
@@ -29,13 +33,16 @@ class Results:
         studies: Mapping[str, Mapping[str, Any]],
         own_filters: Sequence[str],
         tolerance: float,
+        origins: Origins | None = None,
     ):
         """`shards` is the number of each point's.
 
         `studies` has for each study what `Paper.described` gives; `own_filters` are the filters
         that no parameter file ranks, a reader's own, in the order of their rules; `tolerance` is
-        that of the verdicts, in standard errors.
+        that of the verdicts, in standard errors. Logs and runs that are not of the `origins` are
+        refused with a ReproError; None takes any.
         """
+        self._origins = origins
         self.layout, self.catalogue, self.shards = Layout(root), catalogue, range(shards)
         self.tolerance, self.own_filters = tolerance, own_filters
         self._studies = studies
@@ -64,30 +71,33 @@ class Results:
 
     def log(self, study: str, point: str) -> Log:
         """The log of a point."""
-        return self._log([self.layout.log(study, point, shard) for shard in self.shards])
-
-    def parameters(self, study: str, point: str) -> Any:
-        """The parameters of a point as its log has them, of the study's type `Parameters`."""
-        return read_log(self.layout.log(study, point, 0)).parameters
-
-    def each_log(self, study: str, point: str, quantity: Callable[[Log], np.ndarray]) -> np.ndarray:
-        """A quantity of all trials of a log, from one of a shard's, (trials, ...)."""
-        logs = (read_log(self.layout.log(study, point, shard)) for shard in self.shards)
-        return np.concatenate([quantity(log) for log in logs])
-
-    def _log(self, files: list[str]) -> Log:
-        first, *others = files
-        log = read_log(first)
+        log, others = self._shard_of_log(study, point, 0), self.shards[1:]
         if not others:
             return log
-        trials = [log.trials, *(read_log(other).trials for other in others)]
+
+        def each(topic: str) -> Iterator[np.ndarray]:
+            for shard in others:
+                yield self._shard_of_log(study, point, shard).values[topic]
+
+        trials = [log.trials, *(self._shard_of_log(study, point, s).trials for s in others)]
         values = {
-            topic: merged(
-                itertools.chain([values], (read_log(other).values[topic] for other in others))
-            )
+            topic: merged(itertools.chain([values], each(topic)))
             for topic, values in log.values.items()
         }
         return log._replace(trials=np.concatenate(trials), values=values)
+
+    def parameters(self, study: str, point: str) -> Any:
+        """The parameters of a point as its log has them, of the study's type `Parameters`."""
+        return self._shard_of_log(study, point, 0).parameters
+
+    def each_log(self, study: str, point: str, quantity: Callable[[Log], np.ndarray]) -> np.ndarray:
+        """A quantity of all trials of a log, from one of a shard's, (trials, ...)."""
+        logs = (self._shard_of_log(study, point, shard) for shard in self.shards)
+        return np.concatenate([quantity(log) for log in logs])
+
+    def _shard_of_log(self, study: str, point: str, shard: int) -> Log:
+        expected = self._expected(study, point, shard)
+        return read_log(self.layout.log(study, point, shard), origin=expected)
 
     def each(
         self, study: str, point: str, filter_: str, quantity: Callable[[Runs], np.ndarray]
@@ -122,7 +132,16 @@ class Results:
         return self.layout.run(study, batch_of(point), filter_, shard)
 
     def _shard(self, study: str, point: str, filter_: str, shard: int) -> Runs:
-        return read_runs(self._file(study, point, filter_, shard), point)
+        expected = self._expected(study, point, shard, filter_)
+        return read_runs(self._file(study, point, filter_, shard), point, expected)
+
+    def _expected(self, study: str, point: str, shard: int, filter_: str = "") -> str | None:
+        """The origin of a log, or of a filter's runs on it."""
+        if self._origins is None:
+            return None
+        of_point = self._origins[study][point]
+        trials = of_shard(of_point["trials"], shard, len(self.shards))
+        return origin(of_point["filters"][filter_] if filter_ else of_point["log"], trials)
 
     def table(self, study: str) -> pd.DataFrame:
         """The table of a study, in long form."""
