@@ -7,7 +7,9 @@ from mcap.reader import make_reader
 from mcap.writer import Writer
 from mcap_ros2.decoder import DecoderFactory
 
+from repro.errors import ReproError
 from repro.logs import LogError, read_log, write_log
+from repro.origin import origin
 from repro.runner import read_checked_log
 from tests.conftest import points, small_log
 
@@ -133,6 +135,14 @@ def test_faults_are_named_in_one_line(path, log, tmp_path):
         read_log(path, study="radar")
     with pytest.raises(LogError, match=r"point 'arrival=0\.5', expected is 'arrival=0\.6'"):
         read_checked_log(path, STUDY, "arrival=0.6")
+    with pytest.raises(ReproError, match=r"0\.mcap: stale: it does not say what it was made with"):
+        read_checked_log(path, STUDY, "arrival=0.5", origin("5", (0, 3)))
+    write_log(path, log, 1.0, origin=origin("5", (0, 3)))
+    read_checked_log(path, STUDY, "arrival=0.5", origin("5", (0, 3)))
+    with pytest.raises(ReproError, match="it has trials 0 to 2, and trials 0 to 3 are asked for"):
+        read_checked_log(path, STUDY, "arrival=0.5", origin("5", (0, 4)))
+    with pytest.raises(ReproError, match="other parameters, seed or code than now"):
+        read_checked_log(path, STUDY, "arrival=0.5", origin("6", (0, 3)))
     with pytest.raises(LogError, match=r"none\.mcap: the log cannot be read"):
         read_log(tmp_path / "none.mcap")
     write_messages(tmp_path / "odd.mcap", log, encoding="protobuf")

@@ -25,7 +25,7 @@ from repro.parameters.load import (
     load_run,
     user_values,
 )
-from repro.parameters.origin import digest, of_shard, origin
+from repro.origin import digest, of_shard, origin
 from repro.parameters.point_names import on_request
 from repro.workflow.code import code_digest, code_files, constants
 from repro.workflow.lock import hold

@@ -17,7 +17,7 @@ from repro.logs.format import (
     record_dtype,
     schema_text,
 )
-from repro.parameters.origin import check_origin
+from repro.origin import check_origin
 from repro.parameters.values import PointParameters
 
 

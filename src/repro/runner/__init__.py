@@ -139,7 +139,7 @@ def flown(log: Log, filter_: Any, settings: dict[str, Any]) -> Log:
     return loop.flight(log, estimate, runs)
 
 
-def read_checked_log(path: str, study: str, point: str, origin: str | None) -> Log:
+def read_checked_log(path: str, study: str, point: str, origin: str | None = None) -> Log:
     """The log at `path`, checked to be of that study, point and origin, with the study's topics."""
     log = read_log(path, study=study, point=point, origin=origin)
     wanted = plugins.study(study).topics(log.parameters)

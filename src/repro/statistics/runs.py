@@ -7,7 +7,7 @@ from typing import BinaryIO, NamedTuple
 
 import numpy as np
 
-from repro.parameters.origin import check_origin
+from repro.origin import check_origin
 
 
 class Runs(NamedTuple):

@@ -12,7 +12,7 @@ import pandas as pd
 from repro import plugins
 from repro.layout import Catalogue, Layout
 from repro.logs import Log, read_log
-from repro.parameters.origin import of_shard, origin
+from repro.origin import of_shard, origin
 from repro.parameters.paper_file import Ranking
 from repro.parameters.point_names import batch_of
 from repro.statistics.runs import Runs, read_runs, read_trials
