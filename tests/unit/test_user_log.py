@@ -2,6 +2,7 @@
 
 import json
 import struct
+import tracemalloc
 
 import lz4.frame
 import numpy as np
@@ -296,6 +297,36 @@ def test_a_small_file_of_many_bytes_is_refused_before_it_is_decompressed(
         read(path)
 
 
+def write_json(path, messages):
+    with path.open("wb") as stream:
+        writer = Writer(stream)
+        writer.start()
+        channel = writer.register_channel("/truth", "json", 0)
+        for time, message in enumerate(messages):
+            writer.add_message(channel, time, json.dumps(message).encode(), time)
+        writer.finish()
+
+
+def test_a_log_of_many_small_messages_is_refused_before_they_are_decoded(tmp_path, monkeypatch):
+    path = tmp_path / "user.mcap"
+    write_json(path, [{"x1": k, "x2": 2} for k in range(100)])
+    assert read(path).values["/truth"].shape == (1, 100, 2)
+    monkeypatch.setattr("repro.logs.user_log.MOST", 99)
+    with pytest.raises(LogError, match=r"too large: at most 99 messages are read; record only"):
+        read(path)
+
+
+def test_one_long_trial_among_many_short_ones_takes_no_memory(tmp_path):
+    path, numbers = tmp_path / "user.mcap", range(2000)
+    long = [{"x1": 1, "x2": 2, "trial": 0, "step": k} for k in numbers]
+    write_json(path, long + [{"x1": 1, "x2": 2, "trial": k, "step": 0} for k in numbers[1:]])
+    tracemalloc.start()
+    with pytest.raises(LogError, match="trial 1 has fewer than 2000 messages"):
+        read(path)
+    assert tracemalloc.get_traced_memory()[1] < 2**24
+    tracemalloc.stop()
+
+
 @pytest.mark.parametrize("compression", ["zstd", "lz4"])
 def test_a_chunk_never_becomes_larger_than_it_states(compression, tmp_path):
     packed = {"zstd": zstandard.compress, "lz4": lz4.frame.compress}[compression](b"0" * 10**6)
@@ -370,6 +401,24 @@ def test_constants_and_defaults_of_a_schema_are_skipped(tmp_path):
     fields = 'float64 LIMIT=3.5\nuint8 GOOD=1\nfloat64 x1 1.25\nstring name "a b"\nfloat64 x2\n'
     write_cdr(path, fields, [{"x2": 2.0}], "")
     np.testing.assert_array_equal(read(path).values["/truth"], [[[1.25, 2.0]]])
+
+
+def test_what_a_terminal_would_obey_is_shown_escaped(tmp_path):
+    path = tmp_path / "user.mcap"
+    with path.open("wb") as stream:
+        writer = Writer(stream)
+        writer.start()
+        writer.add_message(writer.register_channel("/\x1b[31mx", "json", 0), 0, b"{}", 0)
+        writer.finish()
+    with pytest.raises(LogError, match=r"topic /truth: missing; topics of the log: /\\x1b\[31mx"):
+        read_user_log(
+            path,
+            {"/truth": ()},
+            STUDY,
+            POINT,
+            small_log(STUDY, POINT).parameters,
+            reasons={"/truth": ""},
+        )
 
 
 def test_big_endian_messages_are_read(tmp_path):

@@ -73,7 +73,7 @@ def _module_files(module: str) -> list[Path]:
 @cache
 def _imported(file: Path) -> list[Path]:
     files = []
-    for module, names in IMPORT.findall(file.read_text()):
+    for module, names in IMPORT.findall(file.read_text(encoding="utf-8")):
         files += _module_files(module)
         for name in NAME.findall(names):
             files += _module_files(f"{module}.{name}")
@@ -84,7 +84,7 @@ def _imported(file: Path) -> list[Path]:
 def constants(script: str) -> dict[str, Any]:
     """Literal constants at the top of a script, read without running it."""
     values = {}
-    for node in ast.parse(Path(script).read_text()).body:
+    for node in ast.parse(Path(script).read_text(encoding="utf-8")).body:
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
             try:
                 values[node.targets[0].id] = ast.literal_eval(node.value)
