@@ -8,7 +8,16 @@ from repro.errors import ReproError
 from repro.layout import Layout
 from repro.logs import write_log
 from repro.runner import run_filter
-from repro.workflow.memory_and_disk import GB, MB, Free, Needs, _of_group, check, free, needs
+from repro.workflow.memory_and_disk import (
+    GB,
+    MB,
+    Free,
+    Needs,
+    _of_group,
+    check_needs,
+    estimated_needs,
+    free,
+)
 from tests.conftest import points, small_log
 
 STUDY, POINT = "wsn_tracking", "n2-arrival=0.9"
@@ -17,7 +26,7 @@ MUCH = Free(disk=100 * GB, memory=10 * GB)
 
 def of(trials, outputs, root="results", shards=1, at_once=2):
     studies = {STUDY: {POINT: points()[STUDY][POINT].with_trials(trials)}}
-    return needs(outputs, Layout(Path(root)), studies, shards, at_once)
+    return estimated_needs(outputs, Layout(Path(root)), studies, shards, at_once)
 
 
 def files(root="results", shard=0):
@@ -58,17 +67,19 @@ def test_it_counts_the_files_that_will_be_made_and_their_shards():
 )
 def test_too_many_trials_are_refused_in_one_line(trials, there, fault):
     with pytest.raises(ReproError, match=fault) as error:
-        check(of(trials, files()), there, "results")
+        check_needs(of(trials, files()), there, "results")
     assert "\n" not in str(error.value)
 
 
 def test_the_line_at_the_start_names_what_is_needed_and_what_is_free():
     needed = Needs(disk=2 * GB, memory=200 * MB, jobs=2)
-    assert check(needed, MUCH, "results") == (
+    assert check_needs(needed, MUCH, "results") == (
         "About 2.0 GB on disk (100.0 GB free), 0.4 GB of memory (10.0 GB free)."
     )
     # Jobs on other machines have their memory there.
-    assert "0.2 GB of memory a job." in check(needed, Free(100 * GB, 0), "results", local=False)
+    assert "0.2 GB of memory a job." in check_needs(
+        needed, Free(100 * GB, 0), "results", local=False
+    )
 
 
 def test_what_is_free_is_bounded_by_the_container(tmp_path):

@@ -37,7 +37,7 @@ class Free(NamedTuple):
     memory: float
 
 
-def needs(
+def estimated_needs(
     outputs: Iterable[str],
     layout: Layout,
     studies: Mapping[str, Mapping[str, Point]],
@@ -115,7 +115,7 @@ def _of_group(folder: str = "/sys/fs/cgroup") -> float:
         return float("inf")
 
 
-def check(needed: Needs, there: Free, folder: str | Path, *, local: bool = True) -> str:
+def check_needs(needed: Needs, there: Free, folder: str | Path, *, local: bool = True) -> str:
     """A line for the start of a run. Raises ReproError if disk or memory do not suffice.
 
     Jobs that are not `local` have their memory elsewhere.
