@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 
 from repro.errors import ReproError
+from repro.inspect.interface import study
+from repro.inspect.quick_ranking import quick_ranking
 from repro.layout import Layout
 from repro.logs import write_log
 from repro.runner import run_filter
@@ -89,3 +91,12 @@ def test_what_is_free_is_bounded_by_the_container(tmp_path):
         (tmp_path / "memory.max").write_text(limit)
         assert _of_group(str(tmp_path)) == left
     assert _of_group("/nonexistent") == float("inf")
+
+
+def test_trials_in_memory_are_refused_before_they_fill_it():
+    for work in (
+        lambda: study("radar").simulate("loss=0.1", trials=10**9),
+        lambda: quick_ranking("radar", "loss=0.1", "ekf", {}, 1, 10**9, 3.0),
+    ):
+        with pytest.raises(ReproError, match=r"radar, loss=0\.1: 1000000000 trials of 100 steps"):
+            work()

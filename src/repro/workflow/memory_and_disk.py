@@ -12,6 +12,7 @@ from repro import plugins
 from repro.errors import ReproError
 from repro.layout import Layout
 from repro.parameters.load import Point
+from repro.parameters.values import PointParameters
 
 MB, GB = 1e6, 1e9
 MESSAGE = 51  # bytes of a message besides its values, its index entry included
@@ -59,7 +60,7 @@ def estimated_needs(
         points = studies[place[0]]
         # A file that is of no point is of all.
         of_file = [points[name] for name in points if name == place[1]] or points.values()
-        sizes = [_sizes(place[0], point, shards) for point in of_file]
+        sizes = [_sizes(place[0], point.parameters, shards) for point in of_file]
         disk += sum(size[kind] for size in sizes)
         disk -= file.stat().st_size if file.exists() else 0
         memory = max(memory, *(JOB + HELD * size["messages"] for size in sizes))
@@ -67,9 +68,9 @@ def estimated_needs(
     return Needs(max(disk, 0.0), memory, min(jobs, at_once))
 
 
-def _sizes(study: str, point: Point, shards: int) -> dict[str, float]:
+def _sizes(study: str, parameters: PointParameters, shards: int) -> dict[str, float]:
     """Bytes of the files of a shard of a point, and of the messages of its log."""
-    scenario, parameters = plugins.study(study), point.parameters
+    scenario = plugins.study(study)
     topics = scenario.topics(parameters)
     rows = -(-parameters.trials // shards) * (parameters.steps + 1)
     of_each_step = [fields for t, fields in topics.items() if t not in scenario.constant_topics]
@@ -82,6 +83,17 @@ def _sizes(study: str, point: Point, shards: int) -> dict[str, float]:
         "runs": KEPT * errors,
         "flights": FLOWN * errors,
     }
+
+
+def check_memory(study: str, point: str, parameters: PointParameters) -> None:
+    """Raise ReproError if all trials of a point do not fit into the memory of one process."""
+    memory = JOB + HELD * _sizes(study, parameters, 1)["messages"]
+    there = min(_available(), _of_group())
+    if memory > there:
+        raise ReproError(
+            f"{study}, {point}: {parameters.trials} trials of {parameters.steps} steps take about "
+            f"{_shown(memory)} of memory and {_shown(there)} are free: take fewer trials"
+        )
 
 
 def free(folder: str | Path) -> Free:
