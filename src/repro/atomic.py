@@ -38,3 +38,10 @@ def atomic_write(path: str | Path) -> Iterator[Path]:
         raise
     finally:
         part.unlink(missing_ok=True)
+
+
+def pid_of_part(name: str) -> int | None:
+    """The process of this host that writes to a file of this name; None for any other file."""
+    begins = f".{os.uname().nodename}."
+    pid, dot, _ = name.removeprefix(begins).partition(".")
+    return int(pid) if name.startswith(begins) and dot and pid.isdecimal() else None

@@ -12,7 +12,9 @@ class ReproError(Exception):
     details = ""  # what a reader may want to see besides: a traceback of code of one's own
 
     def __init__(self, text: str):
-        super().__init__(" ".join(text.splitlines()))
+        # Names in a file are anyone's: what a terminal would obey is shown escaped.
+        shown = (c if c.isprintable() or c in "\r\n" else repr(c)[1:-1] for c in text)
+        super().__init__(" ".join("".join(shown).splitlines()))
 
 
 @contextmanager

@@ -1,6 +1,7 @@
 """repro.study, run, estimate and compare, as a notebook or a debugger uses them."""
 
 import importlib
+import math
 from types import SimpleNamespace
 
 import numpy as np
@@ -107,6 +108,12 @@ def test_the_tolerance_of_a_comparison_is_that_of_the_run(radar, monkeypatch):
     lax = SimpleNamespace(tolerance=1e9)
     monkeypatch.setattr("repro.inspect.interface.load_run", lambda path, overrides: lax)
     assert repro.compare(filters, radar).loc["mine", "verdict"] == "not decided"
+
+
+@pytest.mark.parametrize("tolerance", [math.nan, -1.0, 0])
+def test_a_tolerance_that_decides_nothing_is_refused(tolerance, radar):
+    with pytest.raises(ReproError, match="tolerance: "):
+        repro.compare({"ekf": "ekf"}, radar, tolerance=tolerance)
 
 
 def test_differences_are_paired(radar):

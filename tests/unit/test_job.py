@@ -1,5 +1,7 @@
 """A job's end: its usage, or one line on a fault."""
 
+import tempfile
+
 import pytest
 
 from repro.errors import ReproError
@@ -20,6 +22,16 @@ def test_usage_is_logged(tmp_path):
         (
             OSError(28, "No space left on device", "a.npz"),
             "error: a.npz: No space left on device: fix it and run again",
+        ),
+        (
+            OSError(28, "No space left on device"),  # as of a temporary file, which has no name
+            f"error: temporary files in {tempfile.gettempdir()} (TMPDIR names another folder): "
+            "No space left on device: fix it and run again",
+        ),
+        (
+            MemoryError("Unable to allocate 7 TiB"),
+            "error: memory is full (Unable to allocate 7 TiB): take fewer trials, or split them "
+            "with --config shards=N",
         ),
     ],
 )

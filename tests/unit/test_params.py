@@ -1,9 +1,20 @@
 import copy
+import itertools
+import math
+import subprocess
+import sys
 
 import pytest
 import yaml
 
-from repro.parameters.load import ParameterError, check_shards, load_paper, load_run, sources
+from repro.parameters.load import (
+    ParameterError,
+    check_shards,
+    load_paper,
+    load_run,
+    sources,
+    user_values,
+)
 from tests.conftest import ROOT
 
 PAPER = ROOT / "params" / "packet_delays.yaml"
@@ -76,6 +87,15 @@ TRACKING = ("studies", "wsn_tracking")
         ((*POINT, "name"), "{", "point name '{': Single '{' encountered"),
         ((*POINT, "name"), "a b", "points.0.name: 'a b' has a wrong character; it must match"),
         ((*POINT, "name"), "same", "two points have this name"),
+        ((*POINT, "name"), ".", "point name '.': it names a folder: at most 200 characters"),
+        ((*POINT, "name"), "..", "point name '..': it names a folder"),
+        ((*POINT, "name"), "a" * 201, "a': it names a folder"),
+        ((*POINT, "name"), "a{{b", "point name 'a{b': it names a folder"),
+        (
+            (*POINT, "sweep"),
+            {name: [1] * 100 for name in ("sine_period", "packet_bound", "steps")},
+            "its sweep has 1000000 points; at most 10000 allowed",
+        ),
         (
             ("studies", "linear_delays", "filters", "omvf", "alpha_rule", "value"),
             "8c",
@@ -103,6 +123,74 @@ def test_files_without_a_mapping(text, tmp_path):
     with pytest.raises(ParameterError) as error:
         load_paper(file)
     assert "\n" not in str(error.value)
+
+
+def laughs(first, again):
+    """Aliases of aliases: each of seven lines stands for the one above, many times."""
+    return first + "".join(
+        again.format(name, above) for above, name in itertools.pairwise("abcdefgh")
+    )
+
+
+LISTS = laughs("a: &a [1]\n", "{0}: &{0} [" + "*{1}, " * 9 + "]\n")
+MERGED = laughs("a: &a {x: 1}\n", "{0}: &{0} {{<<: [" + "*{1}, " * 9 + "]}}\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        (LISTS, "more than 100000 values, with each alias replaced"),
+        (MERGED, "more than 100000 values, with each alias replaced"),
+        ("a: &a [*a]\n", "contains itself; remove the alias"),
+        ("a: " + "[" * 10**5, "more than 50 lists or mappings inside each other"),
+        ("a: " + "[" * 60 + "]" * 60, "more than 50 lists or mappings inside each other"),
+    ],
+)
+def test_a_file_that_would_take_all_memory_is_refused_at_once(text, fault, tmp_path):
+    file = tmp_path / "x.yaml"
+    file.write_text(text)
+    for read in (load_paper, user_values):
+        with pytest.raises(ParameterError) as error:
+            read(str(file))
+        assert str(error.value).startswith(f"{file}: {fault}")
+
+
+def test_the_same_holds_for_values_given_on_the_spot():
+    value = [1]
+    for _ in range(9):
+        value = [value] * 9
+    with pytest.raises(ParameterError, match="--config: more than 100000 values"):
+        load_run(ROOT / "params/run.yaml", {"parameters": {"a": value}})
+    with pytest.raises(ParameterError, match="--config: parameters: more than 50 lists"):
+        user_values({"a": "[" * 1000})
+
+
+def test_an_alias_may_stand_for_a_value(tmp_path):
+    (tmp_path / "x.yaml").write_text("a: &a {x: 1}\nb: *a\nc: {<<: *a, y: 2}\n")
+    assert user_values(str(tmp_path / "x.yaml"))[0]["c"] == {"x": 1, "y": 2}
+
+
+def test_what_a_terminal_would_obey_is_shown_escaped(tmp_path):
+    (tmp_path / "x.yaml").write_text('"\\e[31mred": 1\n"\\e[31mred": 2\n')
+    with pytest.raises(ParameterError) as error:
+        load_paper(tmp_path / "x.yaml")
+    assert "the key '\\x1b[31mred' appears a second time" in str(error.value)
+
+
+def test_a_file_is_utf8_in_any_locale(tmp_path):
+    (tmp_path / "x.yaml").write_text("a: ±\n", encoding="utf-8")
+    code = "import sys, repro.parameters.load as l; print(ascii(l.user_values(sys.argv[1])))"
+    words = [sys.executable, "-X", "warn_default_encoding", "-W", "error::EncodingWarning"]
+    ran = subprocess.run(
+        [*words, "-c", code, str(tmp_path / "x.yaml")], capture_output=True, text=True
+    )
+    assert "\\xb1" in ran.stdout, ran.stderr
+
+
+@pytest.mark.parametrize("value", ["nan", math.nan, math.inf, "inf"])
+def test_a_tolerance_is_a_finite_number(value):
+    with pytest.raises(ParameterError, match=r"tolerance: .*is not a (finite )?number"):
+        load_run(ROOT / "params/run.yaml", {"tolerance": value})
 
 
 def test_overrides_of_the_run_are_checked():

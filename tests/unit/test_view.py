@@ -34,6 +34,8 @@ def read_decoded(path):
 
 def assert_layout_names_what_is_there(layout, found):
     panels = layout["configById"].values()
+    for panel in panels:
+        assert panel["foxglovePanelTitle"] and panel["paths"] and "title" not in panel
     for value in (path["value"] for panel in panels for path in panel["paths"]):
         topic, field = value.rsplit(".", 1)
         assert topic in found and hasattr(found[topic][0], field), value
@@ -74,7 +76,13 @@ def test_a_view_of_a_closed_loop_has_every_filters_own_flight(tmp_path):
             found
         )
     assert {"/network", "/reference"} <= set(found)
-    assert_layout_names_what_is_there(json.loads((tmp_path / "v.json").read_text()), found)
+    layout = json.loads((tmp_path / "v.json").read_text())
+    assert_layout_names_what_is_there(layout, found)
+    # What was flown on each filter and the path, four states beside the path, signals, errors.
+    panels = layout["configById"]
+    assert len(panels) == len(filters) + 1 + 4 + 1 + 2
+    height = {path["label"] for path in panels["Plot!state_z"]["paths"]}
+    assert height == {"/reference", *(f"/truth/{name}" for name in filters)}
 
 
 def test_a_trial_that_is_not_there_is_named(log, tmp_path):

@@ -28,6 +28,7 @@ from repro.statistics.runs import Runs
 from repro.statistics.shards import Columns
 from repro.streams import Streams
 from repro.studies import ClosedLoop
+from repro.workflow.memory_and_disk import check_memory
 
 FILTERS = "repro.filters"
 PARAMETERS = Path(__file__).resolve().parents[3] / "params"
@@ -70,6 +71,7 @@ class StudyAtPoints:
             changes["trials"] = trials
         where = f"{self.name}, {point}"
         parameters = self.scenario.Parameters.checked(parameters.plain() | changes, where)
+        check_memory(self.name, point, parameters)
         root_seed = load_run(PARAMETERS / "run.yaml", {}).root_seed if seed is None else seed
         with computing(where):
             return simulated(self.name, point, parameters, root_seed, np.arange(parameters.trials))
@@ -203,11 +205,11 @@ def compare(filters: Mapping[str, Any], log: Log, tolerance: float | None = None
         raise ReproError("compare: no filter is given")
     if "/truth" not in log.values and not isinstance(plugins.study(log.study), ClosedLoop):
         raise ReproError("compare: the log has no /truth, so there are no errors to compare")
-    if tolerance is None:
-        tolerance = load_run(PARAMETERS / "run.yaml", {}).tolerance
+    given = {} if tolerance is None else {"tolerance": float(tolerance)}
+    tolerance = load_run(PARAMETERS / "run.yaml", given).tolerance
     found = {}
-    for name, given in filters.items():
-        filter_, settings = given if isinstance(given, tuple) else (given, {})
+    for name, entry in filters.items():
+        filter_, settings = entry if isinstance(entry, tuple) else (entry, {})
         squared = run(filter_, log, **settings).squared_error
         found[name] = metrics.roots_over_steps(Columns(iter([squared]), [len(squared)]))
     best = min(found, key=lambda name: found[name].value)

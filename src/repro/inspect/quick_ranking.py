@@ -14,6 +14,7 @@ from repro.runner import run
 from repro.simulate import simulated
 from repro.statistics.shards import Columns
 from repro.tables.ranking import rank_rows, ranked
+from repro.workflow.memory_and_disk import check_memory
 
 COLUMNS = ("filter error mcse relative_to_informed difference difference_mcse verdict lost").split()
 
@@ -39,6 +40,7 @@ def quick_ranking(
     tables = []
     for name, at in _chosen(paper.studies[study], study, point).items():
         parameters = at.with_trials(trials).parameters
+        check_memory(study, name, parameters)
         log = simulated(study, name, parameters, seed, np.arange(trials))
         found = {}
         for rival in names:

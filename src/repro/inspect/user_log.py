@@ -46,7 +46,8 @@ def run_user_log(
     )
     _check(log_path, log, scenario)
     log = _with_all_topics(log, topics, scenario.constant_topics)
-    with np.errstate(invalid="ignore"):  # integers made of what the filter does not see
+    # Integers made of what the filter does not see; huge numbers, whose estimates are checked.
+    with np.errstate(invalid="ignore", over="ignore"):
         estimate, runs = run(log, name, user_log["settings"])
     trials, steps, n = estimate.shape
     states = topics["/truth"]

@@ -16,6 +16,8 @@ from repro.runner import flown, run
 from repro.studies import ClosedLoop
 
 LAYOUT = "foxglove-layout.json"  # the layout as an attachment of the view
+STATES = 4  # that have a panel
+SIGNALS = 12  # lines in the panel of signals, about; at least one of each topic
 
 
 Settings = Mapping[str, dict[str, Any]]  # of each filter
@@ -72,30 +74,33 @@ def write_view(
     scenario = plugins.study(view.study)
     drawn = json.dumps(foxglove_layout(view, scenario.trajectory), indent=1)
     with atomic_write(layout) as part:
-        part.write_text(drawn + "\n")
+        part.write_text(drawn + "\n", encoding="utf-8")
     write_log(path, view, scenario.period(view.parameters), {LAYOUT: drawn.encode()})
 
 
 def foxglove_layout(view: Log, trajectory: tuple[tuple[str, str], ...]) -> dict[str, Any]:
-    """Panels: trajectories (pairs of fields of the truth), states, signals, errors over time."""
-    sources = _of_kind(view, "truth", "estimate")
+    """Panels: trajectories (the first pair of fields), states, signals and errors over time.
+
+    In a closed loop the trajectories and states are those that were flown.
+    """
+    truths, estimates = _of_kind(view, "truth"), _of_kind(view, "estimate")
+    sources = [*truths, *(estimates if truths == ["/truth"] else ()), *_of_kind(view, "reference")]
     errors = _of_kind(view, "error")
-    states = dict.fromkeys([*itertools.chain(*trajectory), *view.fields[sources[0]]])
     panels = {}
-    for x, y in trajectory:
-        for source in [*sources, *_of_kind(view, "reference")]:
+    for x, y in trajectory[:1]:
+        for source in sources:
             panels[f"Plot!{source.strip('/').replace('/', '_')}_{x}_{y}"] = _plot(
                 f"{source}: {y} over {x}", {source: f"{source}.{y}"}, f"{source}.{x}"
             )
-    for state in list(states)[:6]:
-        panels[f"Plot!state_{state}"] = _plot(state, {s: f"{s}.{state}" for s in sources})
-    signals = {
-        f"{topic}.{field}": f"{topic}.{field}"
-        for topic in _of_kind(view, "received", "network", "throttle")
-        for field in view.fields[topic][:6]
-    }
+    states = list(dict.fromkeys([*itertools.chain(*trajectory), *view.fields[truths[0]]]))
+    for state in states[:STATES]:
+        drawn = {s: f"{s}.{state}" for s in sources if state in view.fields[s]}
+        panels[f"Plot!state_{state}"] = _plot(state, drawn)
+    topics = _of_kind(view, "received", "network", "throttle")
+    each = max(1, SIGNALS // max(1, len(topics)))
+    signals = {f"{t}.{field}": f"{t}.{field}" for t in topics for field in view.fields[t][:each]}
     panels["Plot!signals"] = _plot("received and network", signals)
-    for state in list(states)[:2]:
+    for state in states[:2]:
         panels[f"Plot!error_{state}"] = _plot(
             f"error of {state}", {e.removeprefix("/error/"): f"{e}.{state}" for e in errors}
         )
@@ -115,16 +120,24 @@ def _of_kind(view: Log, *kinds: str) -> list[str]:
 
 def _plot(title: str, series: dict[str, str], over: str | None = None) -> dict[str, Any]:
     config = {
-        "title": title,
+        "foxglovePanelTitle": title,
         "paths": [
             {"value": path, "label": label, "enabled": True, "timestampMethod": "receiveTime"}
             for label, path in series.items()
         ],
         "showLegend": True,
+        "legendDisplay": "floating",
+        "showXAxisLabels": True,
+        "showYAxisLabels": True,
         "isSynced": over is None,
         "xAxisVal": "timestamp" if over is None else "custom",
     }
-    return config if over is None else config | {"xAxisPath": {"value": over, "enabled": True}}
+    return (
+        config
+        if over is None
+        else config
+        | {"xAxisPath": {"value": over, "enabled": True, "timestampMethod": "receiveTime"}}
+    )
 
 
 def _split(names: list[str], direction: str) -> dict[str, Any] | str:

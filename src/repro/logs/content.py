@@ -4,9 +4,8 @@ import io
 import json
 import struct
 import zlib
-from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 import zstandard
@@ -27,7 +26,6 @@ from repro.logs.format import (
 )
 
 CHANNEL_ID = struct.Struct("<H")
-COUNTER_END = 2**32  # trial and step are uint32
 MESSAGE_HEAD = record_dtype(0).itemsize - payload_dtype(0).itemsize  # bytes before a payload
 LOG_TIME = RECORD_HEAD.size + 6  # its offset in a message record, after channel and sequence
 NAMED = 20  # topics of a log that a message names
@@ -40,10 +38,14 @@ class MissingError(LogError):
 class Content:
     """The records of a log, its messages as runs of equal size."""
 
-    def __init__(self, path: str | Path, largest: int | None = None):
-        """`largest` bounds the bytes of the file, and of its chunks when decompressed."""
+    def __init__(self, path: str | Path, largest: int | None = None, most: int | None = None):
+        """`largest` bounds the bytes of the file, and of its chunks when decompressed.
+
+        `most` bounds the number of its messages, on all topics.
+        """
         self.path = path
         self._largest, self._decompressed = largest, 0
+        self._most, self._messages = most, 0
         self._same_topic: dict[str, set[int]] = {}  # numbers of the channels of a topic
         self.schemas: dict[int, Schema] = {}
         self.channels: dict[str, Channel] = {}
@@ -85,6 +87,7 @@ class Content:
                 run = _equal_records(data, position, end, stop)
                 (channel,) = CHANNEL_ID.unpack_from(data, body)
                 self.runs.setdefault(channel, []).append(run)
+                self._count(len(run))
                 end = position + run.size
             elif opcode == Opcode.DATA_END:
                 (crc,) = CRC.unpack_from(data, body)
@@ -122,10 +125,19 @@ class Content:
 
     def _check_size(self, size: int) -> None:
         if self._largest is not None and size > self._largest:
-            raise LogError(
-                f"{self.path}: too large: {size / 2**20:.0f} MB of records, at most "
-                f"{self._largest / 2**20:.0f} MB are read; record only the topics of the study"
+            self._refuse(
+                f"{size / 2**20:.0f} MB of records, at most {self._largest / 2**20:.0f} MB"
             )
+
+    def _count(self, messages: int) -> None:
+        self._messages += messages
+        if self._most is not None and self._messages > self._most:
+            self._refuse(f"at most {self._most} messages")
+
+    def _refuse(self, bound: str) -> NoReturn:
+        raise LogError(
+            f"{self.path}: too large: {bound} are read; record only the topics of the study"
+        )
 
     def _topics(self) -> str:
         """The topics of the log, or the first of them."""
@@ -240,64 +252,3 @@ def _check_summary(data: bytes, footer: Footer, end: int) -> None:
     start = footer.summary_start or end - FOOTER_HEAD
     if footer.summary_crc not in (0, zlib.crc32(memoryview(data)[start:end])):
         raise ValueError("CRC of the summary section")
-
-
-# Numbers of the trials, (trials,), and values, (trials, messages a trial, fields).
-Topic = tuple[np.ndarray, np.ndarray]
-
-
-def read_topics(
-    content: Content,
-    fields: Mapping[str, tuple[str, ...]],
-    read: Callable[[Content, str, tuple[str, ...]], Topic],
-    once: Collection[str] = (),
-    between: Collection[str] = (),
-) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Trials, and the values of each topic by `read`.
-
-    Raises LogError unless all have the same trials, and as many messages a trial; those of `once`
-    have one, and those of `between`, which lie between the steps, one fewer.
-    """
-    topics = {topic: read(content, topic, names) for topic, names in fields.items()}
-    if not topics:
-        raise LogError(f"{content.path}: the log has no topic")
-    trials, _ = next(iter(topics.values()))
-    for topic, (of_topic, _) in topics.items():
-        if not np.array_equal(of_topic, trials):
-            raise LogError(f"{content.path}: topic {topic}: other trials than the topics before it")
-    lengths = {topic: values.shape[1] for topic, (_, values) in topics.items()}
-    longest = max(lengths, key=lambda topic: lengths[topic])
-    for topic, length in lengths.items():
-        if topic in once and length > 1:
-            raise LogError(
-                f"{content.path}: topic {topic}: a trial has {length} messages; it must have one"
-            )
-        if topic not in once and length < lengths[longest] - (topic in between):
-            raise LogError(
-                f"{content.path}: topic {topic}: a trial has {length} messages, but "
-                f"{lengths[longest]} on {longest}"
-            )
-    return trials, {topic: values for topic, (_, values) in topics.items()}
-
-
-def arrange(where: str, trial: np.ndarray, step: np.ndarray, values: np.ndarray) -> Topic:
-    """Messages in the order of trial and step, complete and without repetition."""
-    for name, counter in (("trial", trial), ("step", step)):
-        with np.errstate(invalid="ignore"):
-            valid = (counter >= 0) & (counter < COUNTER_END) & (counter % 1 == 0)
-        if not valid.all():
-            raise LogError(f"{where}: the field '{name}' must be an integer from 0 to 2^32 - 1")
-    numbers, counts = np.unique(trial, return_counts=True)
-    steps = int(counts.max())
-    expected_trial = np.repeat(numbers, steps)
-    expected_step = np.tile(np.arange(steps), len(numbers))
-    if len(trial) != len(expected_trial):
-        short = numbers[counts < steps][0]
-        raise LogError(f"{where}: trial {short:g} has fewer than {steps} messages")
-    if not (np.array_equal(trial, expected_trial) and np.array_equal(step, expected_step)):
-        order = np.lexsort((step, trial))
-        trial, step, values = trial[order], step[order], values[order]
-        if not np.array_equal(step, expected_step):
-            wrong = trial[step != expected_step][0]
-            raise LogError(f"{where}: trial {wrong:g} has a missing or repeated step")
-    return numbers.astype(int), np.ascontiguousarray(values).reshape(len(numbers), steps, -1)

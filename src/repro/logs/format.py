@@ -23,11 +23,6 @@ FOOTER_HEAD = RECORD_HEAD.size + 16  # bytes of a footer before its CRC
 class LogError(ReproError):
     """A log that is damaged, or not the expected one."""
 
-    def __init__(self, text: str):
-        # Names in a log are anyone's: what a terminal would obey is shown escaped.
-        shown = (c if c.isprintable() or c in "\r\n" else repr(c)[1:-1] for c in text)
-        super().__init__("".join(shown))
-
 
 class Log(NamedTuple):
     """A log in memory: values of a topic are (trials, messages a trial, fields)."""

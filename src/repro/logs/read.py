@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from repro import plugins
-from repro.logs.content import Content, Topic, arrange, json_object, read_topics
+from repro.logs.content import Content, json_object
 from repro.logs.format import (
     CDR_LITTLE_ENDIAN,
     ENCODING,
@@ -17,6 +17,7 @@ from repro.logs.format import (
     record_dtype,
     schema_text,
 )
+from repro.logs.topics import Topic, arrange, read_topics
 from repro.origin import check_origin
 from repro.parameters.values import PointParameters
 

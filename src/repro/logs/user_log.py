@@ -8,14 +8,17 @@ import numpy as np
 from mcap.records import Schema
 from mcap_ros2.decoder import DecoderFactory
 
-from repro.logs.content import Content, MissingError, Topic, arrange, json_object, read_topics
+from repro.logs.content import Content, MissingError, json_object
 from repro.logs.format import ENCODING, PROVENANCE, SCHEMA_ENCODING, Log, LogError
 from repro.logs.read import root_seed
+from repro.logs.topics import Topic, arrange, read_topics
 from repro.parameters.values import PointParameters
 
 COUNTERS = ("trial", "step")
 PLAIN_CDR = (0, 1)  # encapsulation kinds: big-endian, little-endian
-LARGEST = 2**29  # bytes of a log, decompressed: some minutes of reading
+# Of a log, which bound the time and memory of reading it: about a minute, and two GB.
+LARGEST = 2**29  # bytes, decompressed
+MOST = 2_000_000  # messages
 # Parameters in which a log of the pipeline may differ from what a filter is told.
 OF_THE_LOG = {"trials", "steps"}
 
@@ -41,7 +44,7 @@ def read_user_log(
     `reasons` say, by topic, what it is needed for. A log of this project has its own root seed,
     else it is `seed`; `changed` are parameters in which it may differ. Raises LogError in one line.
     """
-    content = Content(path, LARGEST)
+    content = Content(path, LARGEST, MOST)
     reasons = reasons or {}
     provenance = content.provenance
     if provenance is not None:

@@ -59,7 +59,7 @@ def write_assumptions(
                     "",
                 ]
     with atomic_write(path) as part:
-        part.write_text("\n".join(text))
+        part.write_text("\n".join(text), encoding="utf-8")
 
 
 def _assumed_values(parameters: str | Path) -> str:

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from repro.atomic import atomic_write
+from repro.pages.markdown import markdown_line
 from repro.workflow.code import constants
 
 
@@ -10,11 +11,11 @@ def write_gallery(scripts: list[str], titles: dict[str, str], path: str | Path) 
     """Write figures/README.md; each script holds its CAPTION, and its picture is beside it."""
     text = ["# Figures", "", "Drawn by the run from the scripts beside the pictures.", ""]
     for paper, title in titles.items():
-        text += [f"## {paper}", "", title, ""]
+        text += [f"## {paper}", "", markdown_line(title), ""]
         for script in sorted(map(Path, scripts)):
             if script.parent.name == paper:
-                caption = constants(str(script))["CAPTION"]
+                caption = markdown_line(constants(str(script))["CAPTION"])
                 picture = f"{paper}/{script.stem}.png"
                 text += [f"![{script.stem}]({picture})", "", caption, ""]
     with atomic_write(path) as part:
-        part.write_text("\n".join(text))
+        part.write_text("\n".join(text), encoding="utf-8")

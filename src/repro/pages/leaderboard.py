@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
-from tabulate import tabulate
 
 from repro import plugins
 from repro.atomic import atomic_write
+from repro.pages.markdown import markdown_table
 from repro.tables.csv_file import write_csv
 from repro.tables.ranking import geometric_mean
 
@@ -81,7 +81,7 @@ def write_leaderboard(
         for family, rows in of_study.groupby("family", sort=False):
             text += [f"### {family}", "", _markdown(rows.drop(columns=["study", "family"])), ""]
     with atomic_write(markdown) as part:
-        part.write_text("\n".join(text))
+        part.write_text("\n".join(text), encoding="utf-8")
 
 
 def _markdown(rows: pd.DataFrame) -> str:
@@ -89,10 +89,8 @@ def _markdown(rows: pd.DataFrame) -> str:
     shown = rows.assign(filter=labels).dropna(axis="columns", how="all")
     if not rows[["better", "worse", "not decided"]].to_numpy().any():
         shown = shown.drop(columns=["better", "worse", "not decided"])
-    cells = {name: [_cell(value) for value in values] for name, values in shown.items()}
-    return tabulate(
-        cells, headers="keys", tablefmt="github", disable_numparse=True, colalign=_sides(shown)
-    )
+    rows_of_texts = [[_cell(value) for value in row] for row in shown.itertuples(index=False)]
+    return markdown_table(list(shown), rows_of_texts, _sides(shown))
 
 
 def _sides(shown: pd.DataFrame) -> list[str]:

@@ -1,6 +1,6 @@
 """The verdicts for a reader: tally, Markdown page, and the first page of Snakemake's report."""
 
-import re
+import string
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 
 from repro.atomic import atomic_write
-from repro.pages.markdown import markdown_table
+from repro.pages.markdown import markdown_line, markdown_table
 from repro.tables.csv_file import write_csv
 from repro.verdicts.published import REPRODUCED, VERDICTS, diff
 
@@ -37,7 +37,7 @@ def write_diff(
     }
     for path, text in texts.items():
         with atomic_write(path) as part:
-            part.write_text(text)
+            part.write_text(text, encoding="utf-8")
 
 
 def tally_lines(table: pd.DataFrame) -> list[str]:
@@ -89,7 +89,12 @@ def markdown_page(table: pd.DataFrame) -> str:
     """The page results/diff.md."""
     text = [f"# {TITLE}", "", *(f"- {line}" for line in tally_lines(table)), ""]
     for section in sections(table):
-        text += [f"## {section.title}", "", markdown_table(section.head, section.rows), ""]
+        text += [
+            f"## {markdown_line(section.title)}",
+            "",
+            markdown_table(section.head, section.rows),
+            "",
+        ]
     return "\n".join(text)
 
 
@@ -108,4 +113,6 @@ def report_page(table: pd.DataFrame) -> str:
 
 
 def _escaped(text: str) -> str:
-    return re.sub(r"([\\*`|_{}])", r"\\\1", text)
+    """A text in one line, in which nothing means anything to reStructuredText or to Jinja."""
+    shown = (f"\\{c}" if c in string.punctuation else c for c in " ".join(text.split()))
+    return "".join(shown)

@@ -1,6 +1,8 @@
 """Parameters: every value with its source, validated, and resolved for each point of a study."""
 
 import itertools
+import math
+import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import SimpleNamespace
@@ -22,8 +24,10 @@ from repro.parameters.paper_file import (
 from repro.parameters.point_names import is_reading
 from repro.parameters.settings import checked_settings
 from repro.parameters.values import ParameterError, PointParameters, Positive, Values
-from repro.parameters.yaml_file import check_plain, read_yaml
+from repro.parameters.yaml_file import check_plain, parsed, read_yaml
 
+FOLDER = re.compile(r"[^./{}][^/{}]{0,199}")  # what the name of a point may be
+MOST_POINTS = 10_000  # of a family
 SMOKE_STEPS = 300  # the quadrotor alone has more
 
 
@@ -172,8 +176,8 @@ def _read_again(value: Any) -> Any:
     if not isinstance(value, str):
         return value
     try:
-        return yaml.safe_load(value)
-    except (yaml.YAMLError, ValueError, RecursionError):
+        return parsed(value, "--config: parameters")
+    except (yaml.YAMLError, ValueError):
         return value
 
 
@@ -214,6 +218,11 @@ def _resolved(
     for name, changes in family.filters.items():
         _check_known(name, settings, f"{where}: {family.name}")
         settings[name] = settings[name] | changes
+    count = math.prod(map(len, family.sweep.values()))
+    if count > MOST_POINTS:
+        raise ParameterError(
+            f"{where}: {family.name}: its sweep has {count} points; at most {MOST_POINTS} allowed"
+        )
     for values in itertools.product(*family.sweep.values()):
         parameters, filters = dict(base), {name: dict(own) for name, own in settings.items()}
         for keys, value in zip(family.sweep, values, strict=True):
@@ -239,7 +248,7 @@ def _name(pattern: str, parameters: dict, filters: dict, where: str) -> str:
     """The name of a point: {parameter} and {filter.setting} are filled in."""
     named = {name: SimpleNamespace(**values) for name, values in filters.items()}
     try:
-        return pattern.format(**named | parameters)
+        name = pattern.format(**named | parameters)
     except (KeyError, AttributeError) as error:
         unknown = error.name if isinstance(error, AttributeError) else error.args[0]
         raise ParameterError(
@@ -247,3 +256,9 @@ def _name(pattern: str, parameters: dict, filters: dict, where: str) -> str:
         ) from None
     except (IndexError, TypeError, ValueError) as error:
         raise ParameterError(f"{where}: point name '{pattern}': {error}; fix its braces") from None
+    if not (FOLDER.fullmatch(name) and name.isprintable()):
+        raise ParameterError(
+            f"{where}: point name '{name}': it names a folder: at most 200 characters, no / {{ }}, "
+            "and no dot at its start"
+        )
+    return name

@@ -18,7 +18,7 @@ def write_archive(manifest: str | Path, licence: str, path: str | Path) -> None:
     The logs are left out for their size: the commit and seed in the manifest reproduce them.
     """
     check_manifest(manifest)
-    content = json.loads(Path(manifest).read_text())
+    content = json.loads(Path(manifest).read_text(encoding="utf-8"))
     crate = ROCrate()
     crate.name = "Filtering over unreliable networks: four papers, reproduced"
     crate.description = f"Results of repro {content['repro']} at commit {content['commit']}"

@@ -34,12 +34,12 @@ def write_manifest(
         "results": {name: sha256(name) for name in sorted(results)},
     }
     with atomic_write(path) as part:
-        part.write_text(json.dumps(content, indent=1) + "\n")
+        part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
 
 
 def check_manifest(path: str | Path) -> None:
     """Raise ReproError, which names the files, if some differ from the manifest."""
-    content = json.loads(Path(path).read_text())
+    content = json.loads(Path(path).read_text(encoding="utf-8"))
     changed = [
         f"{name} ({'changed' if Path(name).exists() else 'missing'})"
         for name, recorded in (content["parameters"] | content["results"]).items()

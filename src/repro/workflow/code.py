@@ -87,7 +87,7 @@ def _imported(file: str | Path) -> list[str]:
 def constants(script: str) -> dict[str, Any]:
     """Literal constants at the top of a script, read without running it."""
     values = {}
-    for node in ast.parse(Path(script).read_text()).body:
+    for node in ast.parse(Path(script).read_text(encoding="utf-8")).body:
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
             try:
                 values[node.targets[0].id] = ast.literal_eval(node.value)

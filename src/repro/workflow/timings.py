@@ -77,5 +77,5 @@ def _of_points(log: str) -> dict[str, float]:
 def _usage(log: str) -> dict[str, float] | None:
     """What a job has used; None if it has left no usage."""
     path = Path(log)
-    usage = _USED.search(path.read_text()) if path.exists() else None
+    usage = _USED.search(path.read_text(encoding="utf-8")) if path.exists() else None
     return {name: float(value) for name, value in usage.groupdict().items()} if usage else None
