@@ -43,5 +43,9 @@ rule all:
         LAYOUT.page("leaderboard.md"),
 
 
+onstart:
+    print_needs()
+
+
 onsuccess:
     print_tally()

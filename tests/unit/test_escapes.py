@@ -2,7 +2,6 @@
 
 import html
 import re
-from types import SimpleNamespace
 
 import jinja2
 import pandas as pd
@@ -14,7 +13,6 @@ from repro.pages.gallery import write_gallery
 from repro.pages.leaderboard import write_leaderboard
 from repro.pages.markdown import markdown_line, markdown_table
 from repro.pages.verdicts import markdown_page, report_page
-from tests.conftest import ROOT
 
 SECRET = "in the file"
 TEXTS = [
@@ -50,11 +48,6 @@ def table(text):
 
 def test_the_report_shows_items_and_reasons(text):
     assert_shown(report_page(table(text)), text)
-
-
-def test_the_report_shows_captions(text):
-    template = (ROOT / "workflow/report/figure.rst").read_text()
-    assert_shown(template, text, snakemake=SimpleNamespace(params=SimpleNamespace(caption=text)))
 
 
 def assert_harmless(line):

@@ -1,13 +1,18 @@
 """The sensitivity table of censored_network, from runs whose order is known."""
 
+from pathlib import Path
+
 import numpy as np
 import pandas as pd
 import pytest
 
+from repro.layout import Layout
 from repro.papers.censored_network import sensitivity
 from repro.papers.censored_network.time_averages import mean_of_roots
 from repro.parameters.load import load_paper
+from repro.parameters.point_names import batch_of
 from repro.statistics import metrics
+from repro.statistics.runs import Runs, RunsWriter
 from repro.statistics.shards import Columns
 from repro.tables.results import Results
 from tests.conftest import ROOT
@@ -20,10 +25,13 @@ def results(tmp_path):
     rng = np.random.default_rng(0)
     for point in ("base", "sensitivity-speed=2"):
         for filter_, scale in SCALE.items():
-            folder = tmp_path / "runs" / "deadband" / point / filter_
-            folder.mkdir(parents=True)
+            file = Path(Layout(tmp_path).run("deadband", batch_of(point), filter_, 0))
+            file.parent.mkdir(parents=True)
             error = scale * rng.standard_normal((40, 61, 9))
-            np.savez(folder / "0.npz", trials=np.arange(40), error=error, degenerate=np.zeros(40))
+            with file.open("wb") as stream:
+                writer = RunsWriter(stream)
+                writer.add(point, Runs(error, None, np.zeros(40), recorded={}))
+                writer.close()
     catalogue = {"deadband": {"base": [*SCALE], "sensitivity-speed=2": [*SCALE]}}
     paper = load_paper(ROOT / "params/censored_network.yaml")
     studies = {"deadband": paper.described("deadband")}

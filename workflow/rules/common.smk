@@ -12,6 +12,8 @@ SEARCHED = os.pathsep.join(filter(None, [str(SOURCE), os.environ.get("PYTHONPATH
 os.environ.update(PYTHONPATH=SEARCHED)
 # Jobs share the cores; threads inside a job would compete and change the rounding of sums.
 os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", MKL_NUM_THREADS="1")
+# Text files are UTF-8 in any locale.
+os.environ.update(PYTHONUTF8="1")
 # glibc gives freed memory back at once by default; arrays of every step would cost page faults.
 os.environ.update(MALLOC_TRIM_THRESHOLD_="268435456", MALLOC_MMAP_THRESHOLD_="268435456")
 
@@ -28,7 +30,8 @@ from repro.parameters.load import (
 from repro.origin import digest, of_shard, origin
 from repro.parameters.point_names import on_request
 from repro.workflow.code import code_digest, code_files, constants
-from repro.workflow.lock import hold
+from repro.workflow.lock import hold, runs_jobs, sweep
+from repro.workflow.memory_and_disk import check_needs, estimated_needs, free
 from repro.workflow.registry import Registry
 
 
@@ -39,12 +42,6 @@ def or_exit(function, *arguments, **named):
     except ReproError as error:
         sys.exit(f"error: {error}")
 
-
-if workflow.is_main_process:
-    try:
-        ALIVE = hold(".snakemake")
-    except OSError as error:
-        sys.exit(f"error: {error.filename}: {error.strerror}: Snakemake keeps its records there")
 
 PARAMETER_FILES = sorted(path for path in Path("params").glob("*.yaml") if path.name != "run.yaml")
 RUN = or_exit(load_run, "params/run.yaml", dict(config))
@@ -67,6 +64,13 @@ or_exit(check_shards, STUDIES, RUN.shards)
 LAYOUT, FIGURES = Layout(Path(RUN.into, "results")), str(Path(RUN.into, "figures"))
 or_exit(check_writable, LAYOUT.root)
 or_exit(check_writable, FIGURES)
+if workflow.is_main_process and runs_jobs(sys.argv[1:]):
+    try:
+        or_exit(hold, ".snakemake", LAYOUT.root)
+    except OSError as error:
+        sys.exit(f"error: {error.filename}: {error.strerror}: a run keeps its records there")
+    sweep(LAYOUT.root)
+    sweep(FIGURES)
 # With one point of each family there is nothing to compare: no claims, no diff.
 SMOKE = RUN.one_point_per_family
 LEFT_OUT = {study: points.keys() - first_of_families(points) for study, points in STUDIES.items()}
@@ -224,7 +228,8 @@ def needs(name):
 
 def caption(name):
     """What a figure's script says that it shows."""
-    return constants(figure_script(name))["CAPTION"]
+    # The report has it inside a script of its own.
+    return constants(figure_script(name))["CAPTION"].replace("</", "< /")
 
 
 def study_figure_files():
@@ -333,6 +338,15 @@ def commit():
     return answer.stdout.strip() + ("-dirty" if changed.stdout.strip() else "")
 
 
+def print_needs():
+    """What the run takes of memory and disk, at its start; ends it if less is free."""
+    made = [file for job in workflow.dag.needrun_jobs() for file in job.output]
+    local = workflow.local_exec
+    needed = estimated_needs(made, LAYOUT, STUDIES, RUN.shards, workflow.cores if local else 1)
+    if needed.jobs:
+        print(or_exit(check_needs, needed, free(LAYOUT.root), LAYOUT.root, local=local))
+
+
 def print_tally():
     """The verdicts at a glance, at the end of a run."""
     if SMOKE:
@@ -343,4 +357,4 @@ def print_tally():
         return
     tally = Path(LAYOUT.page("tally.txt"))
     if tally.exists():
-        print(tally.read_text(), end="")
+        print(tally.read_text(encoding="utf-8"), end="")

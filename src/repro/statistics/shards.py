@@ -34,7 +34,10 @@ class Columns:
 
     def _write(self, begin: int, shard: np.ndarray) -> None:
         for k, of_step in enumerate(np.ascontiguousarray(shard.T, dtype=float)):
-            os.pwrite(self._file.fileno(), of_step.data, 8 * (k * self._in_all + begin))
+            data, place = of_step.data.cast("B"), 8 * (k * self._in_all + begin)
+            while data:  # a disk that fills up takes a part, and then fails
+                done = os.pwrite(self._file.fileno(), data, place)
+                data, place = data[done:], place + done
 
     def only(self, chosen: np.ndarray) -> "Columns":
         """The quantity of some of the trials: `chosen` is (trials,) of flags."""

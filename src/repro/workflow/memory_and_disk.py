@@ -75,11 +75,11 @@ def _sizes(study: str, parameters: PointParameters, shards: int) -> dict[str, fl
     of_each_step = [fields for t, fields in topics.items() if t not in scenario.constant_topics]
     messages = rows * sum(MESSAGE + 8 * len(fields) for fields in of_each_step)
     states = len(topics.get("/truth") or scenario.model(parameters).initial_mean)
-    kept = 4 * rows * (states if scenario.kept_components is None else len(scenario.kept_components))
+    kept = len(scenario.kept_components or range(states))
     return {
         "messages": messages,
         "logs": COMPRESSED * messages,
-        "runs": KEPT * kept,
+        "runs": 4 * KEPT * rows * kept,
     }
 
 

@@ -28,7 +28,10 @@ def filter_file(name: str) -> Path:
 def write_catalogue(filters: Catalogue, settings: Settings, path: str | Path) -> None:
     """Write which filters run where, and their settings, as JSON: for tests and for a reader."""
     with atomic_write(path) as part:
-        part.write_text(json.dumps({"filters": filters, "settings": settings}, indent=1) + "\n")
+        part.write_text(
+            json.dumps({"filters": filters, "settings": settings}, indent=1) + "\n",
+            encoding="utf-8",
+        )
 
 
 def matching_points(

@@ -70,7 +70,7 @@ def filter_times(
 def _of_points(log: str) -> dict[str, float]:
     """CPU seconds of each point of a job; none if it has left no usage."""
     path = Path(log)
-    text = path.read_text() if path.exists() else ""
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
     return {found["point"]: float(found["cpu_s"]) for found in _POINT.finditer(text)}
 
 
