@@ -6,10 +6,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from repro.filters import Filter
-from repro.filters.families import minimum_variance
+from repro.filters.families.minimum_variance import known, scratch
+from repro.kernels import minimum_variance as kernels
 from repro.models import Model
 from repro.models.sparse import dense
-from repro.network.packet_delays import mean_weights
 from repro.parameters.settings import ExtendedMinimumVariance
 
 LABEL = "EMVF"
@@ -20,8 +20,8 @@ class State(NamedTuple):
     estimate: np.ndarray  # xh(k|k), (trials, n)
     covariance: np.ndarray  # P(k|k), (trials, n, n)
     second_moment: np.ndarray  # S(k), (trials, n, n)
-    predictions: tuple[np.ndarray, ...]  # xh(k|k-1), xh(k-1|k-2), ..., at most N
-    inverses: tuple[np.ndarray, ...]  # f'(k-1)^-1, f'(k-2)^-1, ..., at most N - 1
+    predictions: tuple[np.ndarray, ...]  # xh(k|k-1), xh(k-1|k-2), ..., (trials, n), at most N
+    transitions: np.ndarray  # f'(k-1), f'(k-2), ..., (trials, N or 1, n, n)
     degenerate: np.ndarray  # updates skipped because their gain was not finite, (trials,)
 
 
@@ -44,10 +44,10 @@ def build_with(
     `realised_delay(seen)`, if given, returns delays (trials,) whose indicators are the weights
     instead.
     """
-    bound = model.network.bound
-    weights = mean_weights(model.network.arrival_probability, bound, settings.alpha_rule)
+    bound, n = model.network.bound, len(model.initial_mean)
     matched = settings.initial_second_moment == "matched"
-    q, r = model.process_covariance, model.measurement_covariance[0, 0]
+    of_network = known(model, model.measurement_covariance[0, 0], settings, matched)
+    weights = of_network[0]
 
     def initial_second_moment():
         if settings.initial_second_moment == "P0":
@@ -62,20 +62,16 @@ def build_with(
             np.tile(model.initial_covariance, (trials, 1, 1)),
             np.tile(initial_second_moment(), (trials, 1, 1)),
             (np.tile(model.initial_mean, (trials, 1)),)[:bound],
-            (),
+            np.zeros((trials, max(bound, 1), n, n)),
             np.zeros(trials),
         )
 
-    def innovation_weights(seen, ranges):
-        if realised_delay is None:
-            return weights[: len(ranges), None]
-        delay = realised_delay(seen)
-        return np.array([delay == i for i in range(len(ranges))], dtype=float)
-
     def step(state, k, seen):
-        trials, n = state.estimate.shape
-        jacobian = dense(model.transition_jacobian(state.estimate, k - 1), (trials,), n)
-        predicted = model.transition(state.estimate, k - 1)  # (23)
+        trials = len(state.estimate)
+        transitions = np.empty_like(state.transitions)
+        transitions[:, 0] = dense(model.transition_jacobian(state.estimate, k - 1), (trials,), n)
+        transitions[:, 1:] = state.transitions[:, :-1]
+        predicted = np.ascontiguousarray(model.transition(state.estimate, k - 1))  # (23)
         predictions = (predicted, *state.predictions)
         sensors = (seen.sensor, *seen.earlier_sensors)[: len(predictions)]
         if settings.late_measurement == "current sensor":
@@ -85,30 +81,34 @@ def build_with(
             dense(model.measurement_jacobian(x, sensor), (trials,), n)[:, 0] for x, sensor in terms
         ]
         ranges = np.stack([model.measurement(x, sensor)[:, 0] for x, sensor in terms])
-        expected = (innovation_weights(seen, ranges) * ranges).sum(axis=0)
-        update = minimum_variance.gain(
-            rows,
-            jacobian,
-            state.inverses,
-            weights,
+        alpha = weights[: len(ranges), None]
+        indicators = alpha
+        if realised_delay is not None:
+            indicators = realised_delay(seen) == np.arange(len(ranges))[:, None]
+        after = State(
+            np.empty_like(predicted),
+            np.empty_like(state.covariance),
+            np.empty_like(state.second_moment),
+            predictions[:bound],
+            transitions,
+            state.degenerate.copy(),
+        )
+        kernels.emvf(
+            np.stack(rows, axis=1),
+            transitions,
+            of_network,
+            spread_of_ranges(alpha, ranges),
             state.covariance,
             state.second_moment,
-            q,
-            r,
-            settings.qbar_sign,
-            spread_of_ranges(weights[: len(ranges), None], ranges) if matched else None,
+            predicted,
+            seen.received - (indicators * ranges).sum(axis=0),
+            after.covariance,
+            after.second_moment,
+            after.estimate,
+            after.degenerate,
+            *scratch(len(ranges), n),
         )
-        correction = update.gain * (seen.received - expected)[:, None]
-        usable = update.gain.any(axis=-1) & np.isfinite(correction).all(axis=-1)
-        estimate = predicted + np.where(usable[:, None], correction, 0.0)  # (22)
-        covariance = minimum_variance.covariance_update(
-            update, rows[0], jacobian, weights[0], state.covariance, q
-        )  # (25)
-        moment = minimum_variance.second_moment_update(jacobian, state.second_moment, q)  # (27)
-        inverses = (np.linalg.inv(jacobian), *state.inverses)[: max(bound - 1, 0)]
-        return State(
-            estimate, covariance, moment, predictions[:bound], inverses, state.degenerate + ~usable
-        )
+        return after
 
     def predict(state, k):
         return model.transition(state.estimate, k - 1)

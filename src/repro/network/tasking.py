@@ -9,13 +9,15 @@ from typing import Any
 
 import numpy as np
 
+from repro.kernels import turn_and_schedule as kernels
 from repro.network.channels import Channels
 
 
 def nearest(positions: np.ndarray, target: np.ndarray) -> np.ndarray:
     """Index of the nearest sensor; positions (trials, sensors, 2), target (trials, 2)."""
-    offset = positions - target[:, None, :]
-    return np.argmin((offset**2).sum(axis=-1), axis=-1)
+    tasked = np.empty(len(positions), dtype=np.int64)
+    kernels.nearest(np.ascontiguousarray(positions), np.ascontiguousarray(target), tasked)
+    return tasked
 
 
 class ScheduledRanges(Channels):

@@ -60,6 +60,7 @@ class LinearDelays(Study):
 
     Parameters = Parameters
     Analysis = Analysis
+    systems_per_block = 1000
 
     def topics(self, parameters: Parameters) -> dict[str, tuple[str, ...]]:
         flags = packet_delays.flags_per_step(parameters.packet_bound, lossy=False)

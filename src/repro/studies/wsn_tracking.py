@@ -139,7 +139,7 @@ def positions(log: Log) -> np.ndarray:
 
 def position_error(runs: Runs) -> np.ndarray:
     """Er(k) [packet_delays Sec. 4.2.2] of xh(k|k), (trials, steps + 1), in m."""
-    return np.hypot(runs.error[:, :, 0], runs.error[:, :, 1])
+    return np.sqrt(runs.error[:, :, 0] ** 2 + runs.error[:, :, 1] ** 2)
 
 
 class WsnTracking(Study):
@@ -150,6 +150,7 @@ class WsnTracking(Study):
 
     Parameters = Parameters
     Analysis = Analysis
+    systems_per_block = 1000
     trajectory = (("px", "py"),)
     error_unit = "m"
     constant_topics = ("/field",)
