@@ -1,10 +1,12 @@
-"""The coordinated turn of [packet_delays (40)-(41)], and the nearest sensor of its Algorithm 1.
+"""The target and the sensors of [packet_delays (40)-(42), Algorithm 1].
 
-States are (5, states): px, py, vx, vy, omega.
+States of the coordinated turn are (5, states): px, py, vx, vy, omega.
 """
 
+import numpy as np
+
 from repro.kernels.compiled import kernel, scalar
-from repro.kernels.elementary import sine_cosine
+from repro.kernels.elementary import HALF_PI, TRIGONOMETRIC_RANGE, sine_cosine
 
 SERIES_BELOW = 1e-3  # |omega T| below which the 0/0 quotients are taken from their series
 
@@ -13,6 +15,8 @@ SERIES_BELOW = 1e-3  # |omega T| below which the 0/0 quotients are taken from th
 def quotients(omega, time):
     """sin(a)/omega and (1 - cos(a))/omega, a = omega T, and the sine and cosine of a."""
     angle = omega * time
+    if abs(angle) > TRIGONOMETRIC_RANGE:  # of an estimate that is lost; a remainder is exact
+        angle = angle % (4.0 * HALF_PI)
     sine, cosine = sine_cosine(angle)
     near = abs(angle) < SERIES_BELOW
     safe = 1.0 if near else omega
@@ -56,6 +60,22 @@ def jacobian(x, time, out):
         out[5, i] = d_across * vx + d_along * vy
         out[6, i] = -time * (sine * vx + cosine * vy)
         out[7, i] = time * (cosine * vx - sine * vy)
+
+
+@kernel
+def ranges(positions, sensors, noise, out):
+    """Noise of a step (trials, steps), then the range to every sensor with it, as a log has them.
+
+    positions (trials, steps, 2) of the target, sensors (trials, sensors, 2), out (trials, steps,
+    sensors + 1).
+    """
+    for trial in range(len(noise)):
+        for k in range(noise.shape[1]):
+            x, y, v = positions[trial, k, 0], positions[trial, k, 1], noise[trial, k]
+            out[trial, k, 0] = v
+            for sensor in range(sensors.shape[1]):
+                dx, dy = x - sensors[trial, sensor, 0], y - sensors[trial, sensor, 1]
+                out[trial, k, sensor + 1] = np.sqrt(dx * dx + dy * dy) + v
 
 
 @kernel

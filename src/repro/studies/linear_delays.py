@@ -80,7 +80,7 @@ class LinearDelays(Study):
             np.array(parameters.true_initial_state), noise, parameters.sine_period
         )
         v = np.sqrt(parameters.measurement_variance) * streams("sensor").standard_normal(steps + 1)
-        z = np.vecdot(truth, np.array(parameters.measurement_row)) + v
+        z = (truth * np.array(parameters.measurement_row)).sum(axis=-1) + v
         flags = packet_delays.arrival_flags(
             streams("network").uniform(
                 packet_delays.flags_per_step(bound, lossy=False), steps + 1
