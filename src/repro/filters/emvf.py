@@ -6,10 +6,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from repro.filters import Filter
-from repro.filters.families.minimum_variance import known, scratch
+from repro.filters.families.minimum_variance import component_major, known, scratch
 from repro.kernels import minimum_variance as kernels
 from repro.models import Model
-from repro.models.sparse import dense
 from repro.parameters.settings import ExtendedMinimumVariance
 
 LABEL = "EMVF"
@@ -17,11 +16,11 @@ SEES = ("received",)
 
 
 class State(NamedTuple):
-    estimate: np.ndarray  # xh(k|k), (trials, n)
-    covariance: np.ndarray  # P(k|k), (trials, n, n)
-    second_moment: np.ndarray  # S(k), (trials, n, n)
+    estimate: np.ndarray  # xh(k|k), (n, trials)
+    covariance: np.ndarray  # P(k|k), (n, n, trials)
+    second_moment: np.ndarray  # S(k), (n, n, trials)
     predictions: tuple[np.ndarray, ...]  # xh(k|k-1), xh(k-1|k-2), ..., (trials, n), at most N
-    transitions: np.ndarray  # f'(k-1), f'(k-2), ..., (trials, N or 1, n, n)
+    transitions: np.ndarray  # f'(k-1), f'(k-2), ..., (N or 1, n, n, trials)
     degenerate: np.ndarray  # updates skipped because their gain was not finite, (trials,)
 
 
@@ -57,28 +56,35 @@ def build_with(
 
     def init(streams):
         trials = len(streams)
+
+        def of_each(values):
+            return np.repeat(np.array(values, dtype=float)[..., None], trials, axis=-1)
+
+        estimate = of_each(model.initial_mean)
         return State(
-            np.tile(model.initial_mean, (trials, 1)),
-            np.tile(model.initial_covariance, (trials, 1, 1)),
-            np.tile(initial_second_moment(), (trials, 1, 1)),
-            (np.tile(model.initial_mean, (trials, 1)),)[:bound],
-            np.zeros((trials, max(bound, 1), n, n)),
+            estimate,
+            of_each(model.initial_covariance),
+            of_each(initial_second_moment()),
+            (estimate.T,)[:bound],
+            np.zeros((max(bound, 1), n, n, trials)),
             np.zeros(trials),
         )
 
     def step(state, k, seen):
-        trials = len(state.estimate)
+        trials = len(state.degenerate)
         transitions = np.empty_like(state.transitions)
-        transitions[:, 0] = dense(model.transition_jacobian(state.estimate, k - 1), (trials,), n)
-        transitions[:, 1:] = state.transitions[:, :-1]
-        predicted = np.ascontiguousarray(model.transition(state.estimate, k - 1))  # (23)
+        jacobian = model.transition_jacobian(state.estimate.T, k - 1)
+        transitions[0] = component_major(jacobian, (n, n, trials))
+        transitions[1:] = state.transitions[:-1]
+        predicted = model.transition(state.estimate.T, k - 1)  # (23)
         predictions = (predicted, *state.predictions)
         sensors = (seen.sensor, *seen.earlier_sensors)[: len(predictions)]
         if settings.late_measurement == "current sensor":
             sensors = (seen.sensor,) * len(predictions)
         terms = list(zip(predictions, sensors, strict=True))
         rows = [
-            dense(model.measurement_jacobian(x, sensor), (trials,), n)[:, 0] for x, sensor in terms
+            component_major(model.measurement_jacobian(x, sensor), (1, n, trials))
+            for x, sensor in terms
         ]
         ranges = np.stack([model.measurement(x, sensor)[:, 0] for x, sensor in terms])
         alpha = weights[: len(ranges), None]
@@ -86,7 +92,7 @@ def build_with(
         if realised_delay is not None:
             indicators = realised_delay(seen) == np.arange(len(ranges))[:, None]
         after = State(
-            np.empty_like(predicted),
+            np.empty_like(state.estimate),
             np.empty_like(state.covariance),
             np.empty_like(state.second_moment),
             predictions[:bound],
@@ -94,29 +100,26 @@ def build_with(
             state.degenerate.copy(),
         )
         kernels.emvf(
-            np.stack(rows, axis=1),
+            np.concatenate(rows),
             transitions,
             of_network,
+            (state.covariance, state.second_moment, after.covariance, after.second_moment),
             spread_of_ranges(alpha, ranges),
-            state.covariance,
-            state.second_moment,
-            predicted,
+            *scratch(len(ranges), n, trials),
+            np.ascontiguousarray(predicted.T),
             seen.received - (indicators * ranges).sum(axis=0),
-            after.covariance,
-            after.second_moment,
             after.estimate,
             after.degenerate,
-            *scratch(len(ranges), n),
         )
         return after
 
     def predict(state, k):
-        return model.transition(state.estimate, k - 1)
+        return model.transition(state.estimate.T, k - 1)
 
     return Filter(
         init,
         step,
-        mean=lambda state: state.estimate,
+        mean=lambda state: state.estimate.T,
         predicted=predict,
         degenerate=lambda state: state.degenerate,
     )

@@ -37,23 +37,21 @@ def build(model: LinearModel, settings: MinimumVariance) -> Filter:
 
     def step(state, k, seen):
         terms = min(bound, k) + 1  # z(j) = 0 for j < 0: no term of it
-        rows = np.tile(model.measurement_row, (terms, 1))
-        transitions = np.stack(
-            [model.transition_matrix(k - 1 - j) for j in range(max(terms - 1, 1))]
-        )
+        rows = np.tile(model.measurement_row[:, None], (terms, 1, 1))
+        depth = max(terms - 1, 1)
+        transitions = np.stack([model.transition_matrix(k - 1 - j) for j in range(depth)])
         after = State(*(np.empty_like(part) for part in state))
+        moments = state.covariance, state.second_moment, after.covariance, after.second_moment
         kernels.omvf(
             rows,
-            transitions,
+            transitions[..., None],
             of_network,
-            state.covariance,
-            state.second_moment,
+            tuple(moment[..., None] for moment in moments),
+            np.empty(1),
+            *scratch(terms, n, 1),
             state.estimate,
-            np.array(seen.received),
-            after.covariance,
-            after.second_moment,
+            np.array(seen.received, dtype=float),
             after.estimate,
-            *scratch(terms, n),
         )
         return after
 

@@ -5,7 +5,7 @@ of v(k). Estimates are (trials, n), received (trials,); scratch: Phi P (n, n), a
 """
 
 from repro.kernels.compiled import kernel
-from repro.kernels.minimum_variance import propagate, quadratic
+from repro.kernels.small_matrices import propagate, quadratic
 
 
 @kernel
