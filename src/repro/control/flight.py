@@ -96,7 +96,7 @@ class Flight(Channels):
             tuple(self._memory),
             np.array(estimate, dtype=float, order="C"),
             self._reference[k],
-            np.ascontiguousarray(self._process[:, k]),
+            np.array(self._process[:, k], order="C"),
             truth[0],
             self._speeds,
             self._end,
