@@ -34,10 +34,10 @@ class System(NamedTuple):
 
 
 class State(NamedTuple):
-    """Of a filter that does not know the row: its covariances are the same for every trial."""
+    """What a filter keeps of step k."""
 
     estimate: np.ndarray  # of X(k), (trials, n)
-    covariance: np.ndarray  # (n, n), or (trials, n, n) if it depends on the known rows
+    covariance: np.ndarray  # of its error, (n, n), or (trials, n, n) if the rows are known
     second_moment: np.ndarray  # E[X(k) X(k)'], (n, n)
 
 
