@@ -6,10 +6,11 @@ from scipy.linalg import solve_discrete_are
 
 from repro.filters import best_in_form, emvf, genie, intermittent_kf, nahi, omvf, sun
 from repro.filters.families import second_moments
+from repro.models.sparse import dense
 from repro.network.packet_delays import mean_weights
-from repro.parameters.settings import MinimumVariance
+from repro.parameters.settings import ExtendedMinimumVariance, MinimumVariance
 from repro.runner import run
-from repro.studies import linear_delays
+from repro.studies import linear_delays, wsn_tracking
 from repro.studies.wsn_tracking import position_error
 from tests.conftest import points, small_log
 
@@ -214,6 +215,32 @@ def emvf_estimate(initial_second_moment, shift):
     moved = log._replace(values=values, parameters=parameters)
     settings = point.filters["emvf"] | {"initial_second_moment": initial_second_moment}
     return run(moved, "emvf", settings)[1].error
+
+
+def test_emvf_takes_dense_jacobians():
+    """As a model of a reader's own may give them."""
+    log = small_log("wsn_tracking", "n2-arrival=0.9", 3, steps=30)
+    study, point = wsn_tracking.STUDY, points()["wsn_tracking"]["n2-arrival=0.9"]
+    model = study.model(log.parameters)
+
+    def transition_jacobian(x, k):
+        return dense(model.transition_jacobian(x, k), (3,), 5)
+
+    def measurement_jacobian(x, sensor):
+        return dense(model.measurement_jacobian(x, sensor), (3,), 5)
+
+    with_arrays = model._replace(
+        transition_jacobian=transition_jacobian, measurement_jacobian=measurement_jacobian
+    )
+    settings, estimates = ExtendedMinimumVariance.checked(point.filters["emvf"], "test"), []
+    for given in (model, with_arrays):
+        filter_, channels = emvf.build(given, settings), study.channels(log, slice(0, 3))
+        state = filter_.init(range(3))
+        for k in range(1, 31):
+            seen = type("Seen", (), channels.at(k, filter_.predicted(state, k)))
+            state = filter_.step(state, k, seen)
+        estimates.append(filter_.mean(state))
+    np.testing.assert_array_equal(*estimates)
 
 
 def test_matched_second_moment_does_not_depend_on_the_origin():

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from repro.kernels import turn_and_schedule
 from repro.models import coordinated_turn as model
 from repro.models.sparse import dense
 
@@ -50,7 +51,7 @@ def test_series_and_quotients_agree_where_they_meet():
         return dense(model.transition_jacobian(x, time), (), len(x))
 
     for function in (model.transition, jacobian):
-        edge = model.SERIES_BELOW
+        edge = turn_and_schedule.SERIES_BELOW
         below, above = ([1.0, 2.0, 3.0, 4.0, edge * f] for f in (1 - 1e-9, 1 + 1e-9))
         np.testing.assert_allclose(
             function(np.array(below), 1.0), function(np.array(above), 1.0), rtol=1e-7

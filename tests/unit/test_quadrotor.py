@@ -7,6 +7,7 @@ from scipy.spatial.transform import Rotation
 from repro.control import cascaded_pid, path
 from repro.errors import ReproError
 from repro.inspect.user_log import open_loop
+from repro.kernels import quadrotor_flight as flight
 from repro.models import quadrotor as model
 from repro.studies import quadrotor as study
 from tests.conftest import points
@@ -134,47 +135,57 @@ def test_motor_is_a_first_order_lag():
     np.testing.assert_allclose(two, once)
 
 
+def commanded(memory, estimate, reference):
+    """Commands of the controller for one flight: tilts, then roll, pitch, yaw and altitude."""
+    commands = np.empty(6)
+    (integrals,), (last,) = memory
+    limits = SETTINGS.limits()
+    flight.control(
+        SETTINGS.gains(), limits, integrals, last, estimate[0], reference, PERIOD, commands
+    )
+    return commands
+
+
 def test_controller_at_a_point_by_hand():
     """Heading 90 deg: the north error is ahead. Two steps, so that integrals and rates act."""
-    estimate = np.zeros((12, 1))
-    estimate[:, 0] = [0.1, -0.2, 0.3, 0.02, -0.01, np.pi / 2, 0.05, -0.04, 0.0, 1.0, 2.0, 2.5]
+    estimate = np.array([[0.1, -0.2, 0.3, 0.02, -0.01, np.pi / 2, 0.05, -0.04, 0.0, 1.0, 2.0, 2.5]])
     reference = np.array([0.7, 2.2, 3.0, np.pi / 2 + 0.1])
-    first, state = cascaded_pid.control(
-        SETTINGS, cascaded_pid.start(estimate), estimate, reference, PERIOD
-    )
+    memory = cascaded_pid.start(estimate)
+    first = commanded(memory, estimate, reference)
     tilt_pitch = 0.32 * (0.2 - 0.05)  # Yc - Y is ahead
     tilt_roll = -0.32 * (0.3 + 0.04)  # X - Xc is to the left
-    np.testing.assert_allclose(first.tilt_pitch, tilt_pitch)
-    np.testing.assert_allclose(first.tilt_roll, tilt_roll)
-    np.testing.assert_allclose(first.roll, 2 * (tilt_roll - 0.02) - 1.2 * 0.1)
-    np.testing.assert_allclose(first.pitch, 2 * (tilt_pitch + 0.01) + 1.2 * 0.2)
-    np.testing.assert_allclose(first.yaw, 4 * 0.1 - 3.5 * 0.3)
-    np.testing.assert_allclose(first.altitude, 38.8672 + 2 * 0.5, rtol=2e-6)
+    expected = [
+        tilt_roll,
+        tilt_pitch,
+        2 * (tilt_roll - 0.02) - 1.2 * 0.1,
+        2 * (tilt_pitch + 0.01) + 1.2 * 0.2,
+        4 * 0.1 - 3.5 * 0.3,
+    ]
+    np.testing.assert_allclose(first[:5], expected)
+    np.testing.assert_allclose(first[5], 38.8672 + 2 * 0.5, rtol=2e-6)
     later = estimate.copy()
-    later[[6, 7, 11], 0] += 0.01, -0.005, 0.004  # 1 m/s^2, -0.5 m/s^2, 0.4 m/s
-    second, state = cascaded_pid.control(SETTINGS, state, later, reference, PERIOD)
-    np.testing.assert_allclose(second.tilt_pitch, 0.32 * (0.2 - 0.06) - 0.1 * 1.0)
-    np.testing.assert_allclose(second.tilt_roll, -(0.32 * (0.3 + 0.045) + 0.1 * 0.5))
+    later[0, [6, 7, 11]] += 0.01, -0.005, 0.004  # 1 m/s^2, -0.5 m/s^2, 0.4 m/s
+    second = commanded(memory, later, reference)
+    np.testing.assert_allclose(second[1], 0.32 * (0.2 - 0.06) - 0.1 * 1.0)
+    np.testing.assert_allclose(second[0], -(0.32 * (0.3 + 0.045) + 0.1 * 0.5))
     climb = 2 * 0.496 + 1.1 * 0.5 * PERIOD - 3.3 * 0.4
-    np.testing.assert_allclose(second.altitude, 38.8672 + climb, rtol=2e-6)
-    np.testing.assert_allclose(state.integrals[2], 2 * 0.1 * PERIOD)
+    np.testing.assert_allclose(second[5], 38.8672 + climb, rtol=2e-6)
+    np.testing.assert_allclose(memory.integrals[0, 2], 2 * 0.1 * PERIOD)
 
 
 def test_commands_and_integrals_are_limited():
-    estimate = np.zeros((12, 1))
-    state = cascaded_pid.start(estimate)
+    estimate = np.zeros((1, 12))
+    memory = cascaded_pid.start(estimate)
     for _ in range(3):
-        command, state = cascaded_pid.control(
-            SETTINGS, state, estimate, np.array([50.0, 50.0, 90.0, 0.0]), PERIOD
-        )
-    np.testing.assert_allclose(command.tilt_pitch, np.deg2rad(12))
-    np.testing.assert_allclose(command.tilt_roll, -np.deg2rad(12))
-    np.testing.assert_allclose(state.integrals[3], 1.0)  # 3 * 0.9 m s, limited
+        commands = commanded(memory, estimate, np.array([50.0, 50.0, 90.0, 0.0]))
+    np.testing.assert_allclose(commands[:2], [-np.deg2rad(12), np.deg2rad(12)])
+    np.testing.assert_allclose(memory.integrals[0, 3], 1.0)  # 3 * 0.9 m s, limited
 
 
 def test_mixing_by_hand():
-    command = cascaded_pid.Command(0.0, 0.0, roll=1.0, pitch=2.0, yaw=4.0, altitude=40.0)
-    np.testing.assert_array_equal(cascaded_pid.mixed(command), [34, 45, 38, 43])
+    throttle = np.empty(4)  # of tilts, which do not matter, roll 1, pitch 2, yaw 4, altitude 40
+    flight.mix(np.array([0.0, 0.0, 1.0, 2.0, 4.0, 40.0]), throttle)
+    np.testing.assert_array_equal(throttle, [34, 45, 38, 43])
 
 
 def test_path_is_linear_and_held():

@@ -5,11 +5,12 @@ step. So y(k + 1) depends on the estimate at k, and each filter has its own trut
 disturbances. A flight that tumbles, or leaves, ends: its state stays as it was last.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from repro.control import cascaded_pid
+from repro.kernels import quadrotor_flight as kernels
 from repro.models import quadrotor
 from repro.network.channels import Channels
 
@@ -23,6 +24,18 @@ class System(NamedTuple):
     period: float  # s
     tilt_limit: float  # rad of roll or pitch beyond which a flight has tumbled
     range_limit: float  # m from the origin beyond which a flight has left
+
+    def constants(self) -> tuple[Any, ...]:
+        """As the kernels have them."""
+        return (
+            self.frame.constants(),
+            self.motor.constants(),
+            self.motor.decay(self.period),
+            self.controller.gains(),
+            self.controller.limits(),
+            self.period,
+            (self.tilt_limit, self.range_limit),
+        )
 
 
 class Flight(Channels):
@@ -43,7 +56,8 @@ class Flight(Channels):
         start: np.ndarray,
         start_speed: float,
     ):
-        self._system, self._reference = system, reference
+        self._constants, self._period = system.constants(), system.period
+        self._reference = reference
         self._process, self._noise, self._gamma = process, noise, gamma
         flights, samples = gamma.shape
         self._truth = np.empty((flights, samples, 12))
@@ -51,14 +65,14 @@ class Flight(Channels):
         self._received = np.empty(self._truth.shape)
         self._throttle = np.empty((flights, samples - 1, 4))
         self._speeds = np.full((flights, 4), start_speed)
-        self._controller: cascaded_pid.State | None = None
+        self._memory: cascaded_pid.Memory | None = None
         self._end = np.full(flights, samples)  # first step that is not flown
 
     def at(self, k: int, fed_back: np.ndarray) -> dict[str, np.ndarray]:
         """What sensors and network offer at step k, flown on the estimate of step k - 1."""
         speeds = self._speeds
         if k > 0:
-            self._fly(k - 1, fed_back.T)
+            self._fly(k - 1, fed_back)
         truth, noise, gamma = self._truth[:, k], self._noise[:, k], self._gamma[:, k]
         self._received[:, k] = gamma[:, None] * truth + noise  # (2) with h(x) = x
         return {
@@ -71,27 +85,27 @@ class Flight(Channels):
 
     def _fly(self, k: int, estimate: np.ndarray) -> None:
         """Controller at step k, then plant and motors from k to k + 1."""
-        system = self._system
-        if self._controller is None:
-            self._controller = cascaded_pid.start(estimate)
-        command, self._controller = cascaded_pid.control(
-            system.controller, self._controller, estimate, self._reference[k], system.period
+        if self._memory is None:
+            self._memory = cascaded_pid.start(estimate)
+        truth, throttle = np.empty((2, len(estimate), 12)), np.empty((len(estimate), 4))
+        truth[0] = self._truth[:, k]
+        after = np.empty(self._speeds.shape)
+        kernels.fly(
+            k,
+            self._constants,
+            tuple(self._memory),
+            np.array(estimate, dtype=float, order="C"),
+            self._reference[k],
+            np.array(self._process[:, k], order="C"),
+            truth[0],
+            self._speeds,
+            self._end,
+            truth[1],
+            throttle,
+            after,
+            (np.empty(6), *quadrotor.stages_scratch()),
         )
-        throttle = np.clip(cascaded_pid.mixed(command), 0.0, 100.0).T
-        last = self._truth[:, k]
-        flown = quadrotor.transition(system.frame, last, self._speeds, system.period)
-        flown = flown + self._process[:, k]
-        ends = (self._end > k) & ~self._airworthy(flown)
-        self._end[ends] = k + 1
-        self._truth[:, k + 1] = np.where((self._end > k + 1)[:, None], flown, last)
-        self._throttle[:, k] = throttle
-        self._speeds = quadrotor.motor_step(system.motor, self._speeds, throttle, system.period)
-
-    def _airworthy(self, state: np.ndarray) -> np.ndarray:
-        tilt = np.abs(state[:, 3:5]).max(axis=1)
-        away = np.sqrt((state[:, quadrotor.POSITION] ** 2).sum(axis=1))
-        fine = np.isfinite(state).all(axis=1)  # comparisons with NaN are false as well
-        return fine & (tilt <= self._system.tilt_limit) & (away <= self._system.range_limit)
+        self._truth[:, k + 1], self._throttle[:, k], self._speeds = truth[1], throttle, after
 
     def over(self, k: int, estimate: np.ndarray) -> np.ndarray:
         """Which flights are over at step k, (flights,); one without a finite estimate is."""
@@ -107,7 +121,7 @@ class Flight(Channels):
             "distance": np.sqrt(((position - self._reference[:, :3]) ** 2).sum(axis=-1)),
             "gamma": self._gamma,
             "end": self._end,
-            "end_time": np.minimum(self._end, len(self._reference) - 1) * self._system.period,
+            "end_time": np.minimum(self._end, len(self._reference) - 1) * self._period,
         }
 
     def flown(self) -> dict[str, np.ndarray]:

@@ -14,6 +14,7 @@ from repro.models import LinearModel
 
 LABEL = "best of form (6)"
 SEES = ("received",)
+NOTHING_NEW = 1e-12  # share of a regressor's variance below which the others determine it
 
 
 class State(NamedTuple):
@@ -26,13 +27,21 @@ def regression(model: LinearModel, moment: np.ndarray) -> tuple[np.ndarray, np.n
     n = len(model.initial_mean)
     cross, power = second_moments.with_measurement(model, moment)
     size = len(moment) - n
-    regressors = np.empty((n + 1, n + 1))
-    regressors[:n, :n] = moment[size:, size:]
-    regressors[:n, n] = regressors[n, :n] = cross[size:]
-    regressors[n, n] = power
-    target = np.column_stack([moment[:n, size:], cross[:n]])
-    # The pseudo-inverse: at the first step the estimate has no variance yet.
-    coefficients = target @ np.linalg.pinv(regressors, hermitian=True)
+    equations = np.empty((n + 1, 2 * n + 1))  # of the regressors xh and y, and x on the right
+    equations[:n, :n] = moment[size:, size:]
+    equations[:n, n] = equations[n, :n] = cross[size:]
+    equations[n, n] = power
+    equations[:n, n + 1 :] = moment[size:, :n]
+    equations[n, n + 1 :] = cross[:n]
+    own = np.diagonal(equations).copy()
+    for i, variance in enumerate(own):  # Gauss and Jordan
+        if equations[i, i] <= NOTHING_NEW * variance:  # xh has no variance yet at the first steps
+            equations[i] = 0.0
+            continue
+        row = equations[i] / equations[i, i]
+        equations -= equations[:, i, None] * row
+        equations[i] = row
+    coefficients = equations[:, n + 1 :].T
     return coefficients[:, :n], coefficients[:, n]
 
 
@@ -49,7 +58,8 @@ def build(model: LinearModel, settings: dict[str, Any]) -> Filter:
     def step(state, k, seen):
         moment = second_moments.predict(model, state.moment, k - 1)
         transfer, gain = regression(model, moment)
-        estimate = np.matvec(transfer, state.estimate) + gain * seen.received[:, None]
+        estimate = (transfer * state.estimate[:, None, :]).sum(axis=-1)
+        estimate += gain * seen.received[:, None]
         return State(estimate, second_moments.update(model, moment, transfer, gain))
 
     return Filter(

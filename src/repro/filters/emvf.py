@@ -6,10 +6,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from repro.filters import Filter
-from repro.filters.families import minimum_variance
+from repro.filters.families.minimum_variance import component_major, known, scratch
+from repro.kernels import minimum_variance as kernels
 from repro.models import Model
-from repro.models.sparse import dense
-from repro.network.packet_delays import mean_weights
 from repro.parameters.settings import ExtendedMinimumVariance
 
 LABEL = "EMVF"
@@ -17,11 +16,11 @@ SEES = ("received",)
 
 
 class State(NamedTuple):
-    estimate: np.ndarray  # xh(k|k), (trials, n)
-    covariance: np.ndarray  # P(k|k), (trials, n, n)
-    second_moment: np.ndarray  # S(k), (trials, n, n)
-    predictions: tuple[np.ndarray, ...]  # xh(k|k-1), xh(k-1|k-2), ..., at most N
-    inverses: tuple[np.ndarray, ...]  # f'(k-1)^-1, f'(k-2)^-1, ..., at most N - 1
+    estimate: np.ndarray  # xh(k|k), (n, trials)
+    covariance: np.ndarray  # P(k|k), (n, n, trials)
+    second_moment: np.ndarray  # S(k), (n, n, trials)
+    predictions: tuple[np.ndarray, ...]  # xh(k|k-1), xh(k-1|k-2), ..., (trials, n), at most N
+    transitions: np.ndarray  # f'(k-1), f'(k-2), ..., (N or 1, n, n, trials)
     degenerate: np.ndarray  # updates skipped because their gain was not finite, (trials,)
 
 
@@ -44,10 +43,10 @@ def build_with(
     `realised_delay(seen)`, if given, returns delays (trials,) whose indicators are the weights
     instead.
     """
-    bound = model.network.bound
-    weights = mean_weights(model.network.arrival_probability, bound, settings.alpha_rule)
+    bound, n = model.network.bound, len(model.initial_mean)
     matched = settings.initial_second_moment == "matched"
-    q, r = model.process_covariance, model.measurement_covariance[0, 0]
+    of_network = known(model, model.measurement_covariance[0, 0], settings, matched)
+    weights = of_network[0]
 
     def initial_second_moment():
         if settings.initial_second_moment == "P0":
@@ -57,66 +56,70 @@ def build_with(
 
     def init(streams):
         trials = len(streams)
+
+        def of_each(values):
+            return np.repeat(np.array(values, dtype=float)[..., None], trials, axis=-1)
+
+        estimate = of_each(model.initial_mean)
         return State(
-            np.tile(model.initial_mean, (trials, 1)),
-            np.tile(model.initial_covariance, (trials, 1, 1)),
-            np.tile(initial_second_moment(), (trials, 1, 1)),
-            (np.tile(model.initial_mean, (trials, 1)),)[:bound],
-            (),
+            estimate,
+            of_each(model.initial_covariance),
+            of_each(initial_second_moment()),
+            (estimate.T,)[:bound],
+            np.zeros((max(bound, 1), n, n, trials)),
             np.zeros(trials),
         )
 
-    def innovation_weights(seen, ranges):
-        if realised_delay is None:
-            return weights[: len(ranges), None]
-        delay = realised_delay(seen)
-        return np.array([delay == i for i in range(len(ranges))], dtype=float)
-
     def step(state, k, seen):
-        trials, n = state.estimate.shape
-        jacobian = dense(model.transition_jacobian(state.estimate, k - 1), (trials,), n)
-        predicted = model.transition(state.estimate, k - 1)  # (23)
+        trials = len(state.degenerate)
+        transitions = np.empty_like(state.transitions)
+        jacobian = model.transition_jacobian(state.estimate.T, k - 1)
+        transitions[0] = component_major(jacobian, (n, n, trials))
+        transitions[1:] = state.transitions[:-1]
+        predicted = model.transition(state.estimate.T, k - 1)  # (23)
         predictions = (predicted, *state.predictions)
         sensors = (seen.sensor, *seen.earlier_sensors)[: len(predictions)]
         if settings.late_measurement == "current sensor":
             sensors = (seen.sensor,) * len(predictions)
         terms = list(zip(predictions, sensors, strict=True))
         rows = [
-            dense(model.measurement_jacobian(x, sensor), (trials,), n)[:, 0] for x, sensor in terms
+            component_major(model.measurement_jacobian(x, sensor), (1, n, trials))
+            for x, sensor in terms
         ]
         ranges = np.stack([model.measurement(x, sensor)[:, 0] for x, sensor in terms])
-        expected = (innovation_weights(seen, ranges) * ranges).sum(axis=0)
-        update = minimum_variance.gain(
-            rows,
-            jacobian,
-            state.inverses,
-            weights,
-            state.covariance,
-            state.second_moment,
-            q,
-            r,
-            settings.qbar_sign,
-            spread_of_ranges(weights[: len(ranges), None], ranges) if matched else None,
+        alpha = weights[: len(ranges), None]
+        indicators = alpha
+        if realised_delay is not None:
+            indicators = realised_delay(seen) == np.arange(len(ranges))[:, None]
+        after = State(
+            np.empty_like(state.estimate),
+            np.empty_like(state.covariance),
+            np.empty_like(state.second_moment),
+            predictions[:bound],
+            transitions,
+            state.degenerate.copy(),
         )
-        correction = update.gain * (seen.received - expected)[:, None]
-        usable = update.gain.any(axis=-1) & np.isfinite(correction).all(axis=-1)
-        estimate = predicted + np.where(usable[:, None], correction, 0.0)  # (22)
-        covariance = minimum_variance.covariance_update(
-            update, rows[0], jacobian, weights[0], state.covariance, q
-        )  # (25)
-        moment = minimum_variance.second_moment_update(jacobian, state.second_moment, q)  # (27)
-        inverses = (np.linalg.inv(jacobian), *state.inverses)[: max(bound - 1, 0)]
-        return State(
-            estimate, covariance, moment, predictions[:bound], inverses, state.degenerate + ~usable
+        kernels.emvf(
+            np.concatenate(rows),
+            transitions,
+            of_network,
+            (state.covariance, state.second_moment, after.covariance, after.second_moment),
+            spread_of_ranges(alpha, ranges),
+            *scratch(len(ranges), n, trials),
+            np.ascontiguousarray(predicted.T),
+            seen.received - (indicators * ranges).sum(axis=0),
+            after.estimate,
+            after.degenerate,
         )
+        return after
 
     def predict(state, k):
-        return model.transition(state.estimate, k - 1)
+        return model.transition(state.estimate.T, k - 1)
 
     return Filter(
         init,
         step,
-        mean=lambda state: state.estimate,
+        mean=lambda state: state.estimate.T,
         predicted=predict,
         degenerate=lambda state: state.degenerate,
     )

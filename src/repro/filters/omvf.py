@@ -5,9 +5,9 @@ from typing import NamedTuple
 import numpy as np
 
 from repro.filters import Filter
-from repro.filters.families import minimum_variance
+from repro.filters.families.minimum_variance import known, scratch
+from repro.kernels import minimum_variance as kernels
 from repro.models import LinearModel
-from repro.network.packet_delays import mean_weights
 from repro.parameters.settings import MinimumVariance
 
 LABEL = "OMVF"
@@ -15,9 +15,9 @@ SEES = ("received",)
 
 
 class State(NamedTuple):
-    estimate: np.ndarray  # xh(k|k), (trials, 2)
-    covariance: np.ndarray  # P(k|k) that the paper claims, (2, 2): the same for every trial
-    second_moment: np.ndarray  # S(k), (2, 2)
+    estimate: np.ndarray  # xh(k|k), (trials, n)
+    covariance: np.ndarray  # P(k|k) that the paper claims, (n, n): the same for every trial
+    second_moment: np.ndarray  # S(k), (n, n)
 
 
 def build(model: LinearModel, settings: MinimumVariance) -> Filter:
@@ -25,9 +25,8 @@ def build(model: LinearModel, settings: MinimumVariance) -> Filter:
 
     Settings: `alpha_rule` (which weights Lemma 1 gives), `qbar_sign` (+1 as printed).
     """
-    bound = model.network.bound
-    weights = mean_weights(model.network.arrival_probability, bound, settings.alpha_rule)
-    c, q = model.measurement_row, model.process_covariance
+    bound, n = model.network.bound, len(model.initial_mean)
+    of_network = known(model, model.measurement_variance, settings)
 
     def init(streams):
         return State(
@@ -37,27 +36,24 @@ def build(model: LinearModel, settings: MinimumVariance) -> Filter:
         )
 
     def step(state, k, seen):
-        a = model.transition_matrix(k - 1)
         terms = min(bound, k) + 1  # z(j) = 0 for j < 0: no term of it
-        inverses = [np.linalg.inv(model.transition_matrix(k - j)) for j in range(2, terms)]
-        update = minimum_variance.gain(
-            [c] * terms,
-            a,
-            inverses,
-            weights,
-            state.covariance,
-            state.second_moment,
-            q,
-            model.measurement_variance,
-            settings.qbar_sign,
+        rows = np.tile(model.measurement_row[:, None], (terms, 1, 1))
+        depth = max(terms - 1, 1)
+        transitions = np.stack([model.transition_matrix(k - 1 - j) for j in range(depth)])
+        after = State(*(np.empty_like(part) for part in state))
+        moments = state.covariance, state.second_moment, after.covariance, after.second_moment
+        kernels.omvf(
+            rows,
+            transitions[..., None],
+            of_network,
+            tuple(moment[..., None] for moment in moments),
+            np.empty(1),
+            *scratch(terms, n, 1),
+            state.estimate,
+            np.array(seen.received, dtype=float),
+            after.estimate,
         )
-        reduced = a - np.outer(update.gain, update.row)  # (13)
-        estimate = np.matvec(reduced, state.estimate) + update.gain * seen.received[:, None]  # (6)
-        covariance = minimum_variance.covariance_update(
-            update, c, a, weights[0], state.covariance, q
-        )
-        moment = minimum_variance.second_moment_update(a, state.second_moment, q)
-        return State(estimate, covariance, moment)
+        return after
 
     return Filter(
         init,

@@ -57,7 +57,8 @@ def mean_weights(arrival_probability: float, bound: int, rule: str = "sum to one
     the weight is p in both (Nahi's channel, Sec. 4.2.2).
     """
     p = arrival_probability
-    weights = p * (1 - p) ** np.arange(bound + 1)  # (8a), (8b)
+    powers = np.cumprod([1.0] + [1 - p] * bound)  # of 1 - p
+    weights = p * powers  # (8a), (8b)
     if bound > 0 and rule == "sum to one":
-        weights[bound] = (1 - p) ** bound  # (8c)
+        weights[bound] = powers[bound]  # (8c)
     return weights

@@ -9,13 +9,15 @@ from typing import Any
 
 import numpy as np
 
+from repro.kernels import turn_and_schedule as kernels
 from repro.network.channels import Channels
 
 
 def nearest(positions: np.ndarray, target: np.ndarray) -> np.ndarray:
     """Index of the nearest sensor; positions (trials, sensors, 2), target (trials, 2)."""
-    offset = positions - target[:, None, :]
-    return np.argmin((offset**2).sum(axis=-1), axis=-1)
+    tasked = np.empty(len(positions), dtype=np.int64)
+    kernels.nearest(positions, np.array(target, dtype=float, order="C"), tasked)
+    return tasked
 
 
 class ScheduledRanges(Channels):
@@ -40,7 +42,8 @@ class ScheduledRanges(Channels):
         bound: int,
         true_positions: np.ndarray | None = None,
     ):
-        self._positions, self._ranges, self._offered = positions, ranges, offered
+        self._positions = np.array(positions, dtype=float, order="C")
+        self._ranges, self._offered = ranges, offered
         self._bound = bound
         self._origin, self._without_packet = origin.astype(int), without_packet
         self._true_positions = true_positions

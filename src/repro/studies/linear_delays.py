@@ -60,6 +60,7 @@ class LinearDelays(Study):
 
     Parameters = Parameters
     Analysis = Analysis
+    systems_per_block = 1000
 
     def topics(self, parameters: Parameters) -> dict[str, tuple[str, ...]]:
         flags = packet_delays.flags_per_step(parameters.packet_bound, lossy=False)
@@ -79,7 +80,7 @@ class LinearDelays(Study):
             np.array(parameters.true_initial_state), noise, parameters.sine_period
         )
         v = np.sqrt(parameters.measurement_variance) * streams("sensor").standard_normal(steps + 1)
-        z = np.vecdot(truth, np.array(parameters.measurement_row)) + v
+        z = (truth * np.array(parameters.measurement_row)).sum(axis=-1) + v
         flags = packet_delays.arrival_flags(
             streams("network").uniform(
                 packet_delays.flags_per_step(bound, lossy=False), steps + 1

@@ -5,8 +5,9 @@ from typing import Annotated, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
+from repro.kernels import turn_and_schedule
 from repro.logs import Log
-from repro.models import DelayNetwork, Model, coordinated_turn
+from repro.models import DelayNetwork, Model, coordinated_turn, linear_system
 from repro.network import packet_delays
 from repro.network.tasking import ScheduledRanges
 from repro.parameters.values import (
@@ -122,8 +123,8 @@ def _trajectory(parameters: Parameters, streams: StreamsOf) -> np.ndarray:
     truth = np.empty((len(prior), steps + 1, len(STATE)))
     truth[:, 0] = parameters.initial_estimate
     if parameters.true_initial_state == "drawn":
-        root = np.linalg.cholesky(parameters.initial_covariance)
-        truth[:, 0] += np.matvec(root, prior.standard_normal(len(STATE)))
+        root = linear_system.root(np.array(parameters.initial_covariance))
+        truth[:, 0] += (root * prior.standard_normal(1, len(STATE))).sum(axis=-1)
     turn = np.sqrt(parameters.true_turn_rate_variance) * process.standard_normal(steps)
     for k in range(steps):
         truth[:, k + 1] = coordinated_turn.transition(truth[:, k], _time(parameters, k))
@@ -139,7 +140,7 @@ def positions(log: Log) -> np.ndarray:
 
 def position_error(runs: Runs) -> np.ndarray:
     """Er(k) [packet_delays Sec. 4.2.2] of xh(k|k), (trials, steps + 1), in m."""
-    return np.hypot(runs.error[:, :, 0], runs.error[:, :, 1])
+    return np.sqrt(runs.error[:, :, 0] ** 2 + runs.error[:, :, 1] ** 2)
 
 
 class WsnTracking(Study):
@@ -150,6 +151,7 @@ class WsnTracking(Study):
 
     Parameters = Parameters
     Analysis = Analysis
+    systems_per_block = 1000
     trajectory = (("px", "py"),)
     error_unit = "m"
     kept_components = (STATE.index("px"), STATE.index("py"))
@@ -179,7 +181,8 @@ class WsnTracking(Study):
         positions = parameters.field_side * sensor.uniform(parameters.sensors, 2)
         if parameters.layout == "fixed":
             positions[:] = parameters.field_side * np.array(parameters.fixed_layout)
-        ranges = coordinated_turn.distance(truth[:, :, None], positions[:, None]) + v[:, :, None]
+        ranges = np.empty((*v.shape, parameters.sensors + 1))
+        turn_and_schedule.ranges(truth, positions, v, ranges)
         flags = packet_delays.arrival_flags(
             streams("network").uniform(
                 packet_delays.flags_per_step(bound, _lossy(parameters)), steps + 1
@@ -191,7 +194,7 @@ class WsnTracking(Study):
         return {
             "/truth": truth,
             "/field": positions.reshape(len(positions), 1, -1),
-            "/sensor": np.concatenate([v[:, :, None], ranges], axis=-1),
+            "/sensor": ranges,
             "/received": np.stack(received, axis=-1).astype(float),
             "/network": np.concatenate(
                 [np.moveaxis(flags, 1, -1), delay[:, :, None].astype(float)], axis=-1

@@ -6,7 +6,8 @@ recursion for any F and K, so that a filter's true mean square error needs no sa
 
 import numpy as np
 
-from repro.filters.families.delay_augmentation import augment, initial_moment
+from repro.filters.families.delay_augmentation import augment, joint_moment
+from repro.filters.families.linear_filters import Dynamics, propagated
 from repro.models import LinearModel
 from repro.network.packet_delays import mean_weights
 
@@ -16,22 +17,24 @@ def initial(model: LinearModel, state_moment: np.ndarray) -> np.ndarray:
 
     It holds for the initial mean 0 of the linear example, where xh(0) = 0.
     """
-    n = len(model.initial_mean)
-    size = n + model.network.bound + 1
-    moment = np.zeros((size + n, size + n))
-    moment[:size, :size] = initial_moment(model, state_moment)
-    return moment
+    return _beside_zeros(joint_moment(model, state_moment), len(model.initial_mean))
 
 
 def predict(model: LinearModel, moment: np.ndarray, k: int) -> np.ndarray:
     """Second moment of [X(k+1), xh(k)]."""
     phi, noise = augment(model, k)
-    size = len(phi)
-    moved = moment.copy()
-    moved[:size, :size] = phi @ moment[:size, :size] @ phi.T + noise
-    moved[:size, size:] = phi @ moment[:size, size:]
-    moved[size:, :size] = moved[:size, size:].T
-    return moved
+    size, n = len(phi), len(model.initial_mean)
+    transition = np.eye(size + n)
+    transition[:size, :size] = phi
+    return propagated(Dynamics(transition, _beside_zeros(noise, n)), moment)
+
+
+def _beside_zeros(moment: np.ndarray, n: int) -> np.ndarray:
+    """Second moment of [X, 0] from that of X, n zeros."""
+    size = len(moment)
+    joint = np.zeros((size + n, size + n))
+    joint[:size, :size] = moment
+    return joint
 
 
 def with_measurement(model: LinearModel, moment: np.ndarray) -> tuple[np.ndarray, float]:
@@ -39,27 +42,23 @@ def with_measurement(model: LinearModel, moment: np.ndarray) -> tuple[np.ndarray
     n = len(model.initial_mean)
     weights = mean_weights(model.network.arrival_probability, model.network.bound)
     z = slice(n, n + len(weights))
-    return moment[:, z] @ weights, float(weights @ np.diagonal(moment)[z])
+    return (moment[:, z] * weights).sum(axis=1), float((weights * np.diagonal(moment)[z]).sum())
 
 
 def update(
     model: LinearModel, moment: np.ndarray, transfer: np.ndarray, gain: np.ndarray
 ) -> np.ndarray:
     """Second moment of [X(k+1), xh(k+1)] after xh <- F xh + K y, F (n, n) and K (n,)."""
-    n = len(gain)
+    n, size = len(gain), len(moment) - len(gain)
+    weights = mean_weights(model.network.arrival_probability, model.network.bound)
     cross, power = with_measurement(model, moment)
-    size = len(moment) - n
-    updated = moment.copy()
-    updated[:size, size:] = moment[:size, size:] @ transfer.T + np.outer(cross[:size], gain)
-    updated[size:, :size] = updated[:size, size:].T
-    mixed = np.outer(transfer @ cross[size:], gain)
-    updated[size:, size:] = (
-        transfer @ moment[size:, size:] @ transfer.T
-        + mixed
-        + mixed.T
-        + power * np.outer(gain, gain)
-    )
-    return updated
+    transition = np.eye(size + n)
+    transition[size:, size:] = transfer
+    transition[size:, n:size] = gain[:, None] * weights  # K E y, by the entries of X
+    spread = power - float((weights * cross[n:size]).sum())  # of y over the delays
+    noise = np.zeros(moment.shape)
+    noise[size:, size:] = spread * gain[:, None] * gain
+    return propagated(Dynamics(transition, noise), moment)
 
 
 def mean_square_error(moment: np.ndarray, n: int) -> np.ndarray:

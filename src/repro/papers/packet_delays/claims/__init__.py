@@ -1,0 +1,6 @@
+"""Claims of packet_delays: Tables 1-2, Figures 1-10, the remarks, and the text on them."""
+
+from repro.papers.packet_delays.claims import linear_delays, remarks, wsn_tracking
+from repro.verdicts.claims import Claim
+
+CLAIMS: list[Claim] = [*wsn_tracking.CLAIMS, *linear_delays.CLAIMS, *remarks.CLAIMS]

@@ -1,0 +1,82 @@
+"""Errors of the runs that the claims of [packet_delays] compare."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from repro.papers.packet_delays.points import LINEAR, TRACKING, missed_packets, tracking_point
+from repro.statistics.runs import Runs
+from repro.studies import wsn_tracking
+from repro.tables.results import Results
+from repro.verdicts.claims import Part, below
+
+
+def of_each_run(
+    results: Results, study: str, point: str, filter_: str, quantity: Callable[[Runs], np.ndarray]
+) -> np.ndarray:
+    """One number of each run, (trials,)."""
+    numbers = results.each(study, point, filter_, quantity)
+    assert isinstance(numbers, np.ndarray)
+    return numbers
+
+
+def mean_error(results: Results, bound: int, arrival: str) -> np.ndarray:
+    """Mean position error of each run of the EMVF, whose mean is SAEE, (trials,), in m."""
+    return of_each_run(
+        results,
+        TRACKING,
+        tracking_point(bound, arrival),
+        "emvf",
+        lambda runs: wsn_tracking.position_error(runs)[:, 1:].mean(axis=1),
+    )
+
+
+def largest_error(results: Results, bound: int, arrival: str, filter_: str) -> np.ndarray:
+    """Largest position error of each run, (trials,), in m."""
+    return of_each_run(
+        results,
+        TRACKING,
+        tracking_point(bound, arrival),
+        filter_,
+        lambda runs: wsn_tracking.position_error(runs)[:, 1:].max(axis=1),
+    )
+
+
+def number_missed(results: Results, bound: int, arrival: str) -> np.ndarray:
+    """Number of steps of each run whose packet is late or lost, (trials,)."""
+    return results.each_log(
+        TRACKING, tracking_point(bound, arrival), lambda log: missed_packets(log).sum(axis=1)
+    )
+
+
+def squared_error(results: Results, point: str, filter_: str, component: int) -> np.ndarray:
+    """Mean squared error of each run, (trials,)."""
+    return of_each_run(
+        results,
+        LINEAR,
+        point,
+        filter_,
+        lambda runs: (runs.error[:, 1:, component] ** 2).mean(axis=1),
+    )
+
+
+def equal(name: str, first: np.ndarray, second: np.ndarray, relative: float) -> Part:
+    """Errors that must agree do so up to rounding, `relative` to the largest (or to 1)."""
+    allowed = relative * max(1.0, np.abs(second).max())
+    return below(name, np.abs(first - second).max(), allowed)
+
+
+def compared(
+    results: Results, first: tuple[int, str], second: tuple[int, str]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Errors of two of (N, filter) without losses, and the runs that neither loses, (trials,).
+
+    Once the target is lost, rounding grows without bound.
+    """
+    analysis = results.analysis(TRACKING)
+    runs = [
+        results.runs(TRACKING, tracking_point(bound, "1"), filter_)
+        for bound, filter_ in (first, second)
+    ]
+    lost = [wsn_tracking.STUDY.lost(each, analysis) for each in runs]
+    return runs[0].error, runs[1].error, ~(lost[0] | lost[1])
