@@ -100,7 +100,7 @@ class Project:
                 file.write_text(head + "".join(r for r in rows if r.startswith(beginnings)))
             else:
                 file.unlink()
-        claims = self.folder / f"src/repro/papers/{paper}/claims.py"
+        claims = self.folder / f"src/repro/papers/{paper}/claims/__init__.py"
         kept = f"CLAIMS[:] = [one for one in CLAIMS if one.item.startswith({beginnings})]\n"
         claims.write_text(f"{claims.read_text()}\n\n{kept}")
 
