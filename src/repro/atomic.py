@@ -7,6 +7,8 @@ from pathlib import Path
 
 from repro.errors import ReproError
 
+MARK = "REPRO_RUN_MARK"  # environment variable: the mark of the run that a job belongs to
+
 
 def check_writable(folder: str | Path) -> None:
     """Raise ReproError unless results can be written into the folder, which need not exist yet."""
@@ -24,13 +26,17 @@ def check_writable(folder: str | Path) -> None:
 def atomic_write(path: str | Path) -> Iterator[Path]:
     """A path to write a result to, which takes its name at the end of the block.
 
-    Each process writes to a temporary file of its own, so that a job that outlives a killed run, or
-    a node that the cluster has given up, cannot spoil its successor. An OSError names the result.
+    Each process writes to a temporary file of its own, and a job that outlives its run publishes
+    nothing once a later run has begun: it could put its result over a newer one. An OSError names
+    the result. Raises ReproError if the run is over.
     """
     path = Path(path)
     part = path.with_name(f".{os.uname().nodename}.{os.getpid()}.{path.name}")
     try:
         yield part
+        mark = os.environ.get(MARK)
+        if mark is not None and not Path(mark).exists():
+            raise ReproError(f"{path}: not written: the run that began this job is over ({mark})")
         part.replace(path)
     except OSError as error:
         if error.filename is None or str(error.filename) == str(part):

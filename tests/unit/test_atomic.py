@@ -2,7 +2,7 @@
 
 import pytest
 
-from repro.atomic import atomic_write, check_writable
+from repro.atomic import MARK, atomic_write, check_writable
 from repro.errors import ReproError
 
 
@@ -33,3 +33,18 @@ def test_a_place_that_cannot_take_results_is_named(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(ReproError, match=r"/file: not a folder that can be written, as .*/results"):
         check_writable(tmp_path / "file/results")
+
+
+def test_a_job_whose_run_is_over_publishes_nothing(tmp_path, monkeypatch):
+    """An orphan of a killed run could put its result over that of a later one."""
+    mark, result = tmp_path / "mark", tmp_path / "result"
+    monkeypatch.setenv(MARK, str(mark))
+    mark.touch()
+    for text in ("first", "second"):
+        with atomic_write(result) as part:
+            part.write_text(text)
+    mark.unlink()
+    with pytest.raises(ReproError, match="not written: the run that began this job is over"):
+        with atomic_write(result) as part:
+            part.write_text("third")
+    assert result.read_text() == "second" and [*tmp_path.iterdir()] == [result]

@@ -29,7 +29,8 @@ from repro.parameters.load import (
 )
 from repro.origin import digest, of_shard, origin
 from repro.parameters.point_names import on_request
-from repro.workflow.code import code_digest, code_files, constants
+from repro.provenance.records import Records
+from repro.workflow.code import code_digest, code_files, constants, source_digest
 from repro.workflow.lock import hold, runs_jobs, sweep
 from repro.workflow.memory_and_disk import check_needs, estimated_needs, free
 from repro.workflow.registry import Registry
@@ -64,7 +65,8 @@ or_exit(check_shards, STUDIES, RUN.shards)
 LAYOUT, FIGURES = Layout(Path(RUN.into, "results")), str(Path(RUN.into, "figures"))
 or_exit(check_writable, LAYOUT.root)
 or_exit(check_writable, FIGURES)
-if workflow.is_main_process and runs_jobs(sys.argv[1:]):
+RUNS_JOBS = workflow.is_main_process and runs_jobs(sys.argv[1:])
+if RUNS_JOBS:
     try:
         or_exit(hold, ".snakemake", LAYOUT.root)
     except OSError as error:
@@ -137,6 +139,19 @@ def runs_made_with(name, study, point):
     return digest(log_made_with(study, point), settings, estimation)
 
 
+def check_records():
+    """End Snakemake if the results are stale and it has no records to know it by."""
+    records = Records(".snakemake", LAYOUT)
+    or_exit(
+        records.check,
+        lambda: {study: origins(study, requested=True) for study in STUDIES},
+        RUN.shards,
+        source_digest,
+    )
+    if RUNS_JOBS:
+        records.take()
+
+
 def point_filters(wildcards):
     """Settings of each filter of a point."""
     return REGISTRY.all_settings(wildcards.study)[wildcards.study].get(wildcards.point, {})
@@ -173,7 +188,7 @@ def results_of(studies, requested=False):
     }
 
 
-def origins(study, requested):
+def origins(study, requested=False):
     """What the results of each point of a study must come from."""
     return {
         point: {

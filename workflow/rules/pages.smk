@@ -71,6 +71,7 @@ rule manifest:
         ENVIRONMENT
     params:
         commit=commit(),
+        source=source_digest(),
         seed=RUN.root_seed,
         code=code("repro.provenance.manifest"),
     script:

@@ -2,6 +2,8 @@
 # All rules of filters are above: in filters.smk, or in a file that the Snakefile includes before.
 or_exit(REGISTRY.read_settings, workflow.rules)
 SHEETS = sheets()
+if workflow.is_main_process:
+    check_records()
 
 
 rule table:

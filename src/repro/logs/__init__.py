@@ -6,7 +6,7 @@ Logs recorded elsewhere are read by `repro.logs.user_log`, which the ordinary ru
 """
 
 from repro.logs.format import Log, LogError
-from repro.logs.read import read_log
+from repro.logs.read import logged_origin, read_log
 from repro.logs.write import write_log
 
-__all__ = ["Log", "LogError", "read_log", "write_log"]
+__all__ = ["Log", "LogError", "logged_origin", "read_log", "write_log"]

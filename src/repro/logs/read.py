@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
+from mcap.exceptions import McapError
 
 from repro import plugins
 from repro.logs.content import Content, json_object
@@ -67,6 +68,20 @@ def read_log(
         fields=dict(topics),
         values=values,
     )
+
+
+def logged_origin(path: str | Path) -> str:
+    """Where a log says that it comes from; nothing if it does not say. Reads no message."""
+    from mcap.reader import make_reader  # a quarter of the start of a job, which needs it not
+
+    try:
+        with Path(path).open("rb") as stream:
+            for metadata in make_reader(stream).iter_metadata():
+                if metadata.name == PROVENANCE:
+                    return metadata.metadata.get("origin", "")
+    except (McapError, OSError):
+        pass
+    return ""
 
 
 def root_seed(content: Content) -> int:

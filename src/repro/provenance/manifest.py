@@ -20,12 +20,18 @@ def sha256(path: str | Path) -> str:
 
 
 def write_manifest(
-    path: str | Path, commit: str, root_seed: int, parameters: list[str], results: list[str]
+    path: str | Path,
+    commit: str,
+    code: str,
+    root_seed: int,
+    parameters: list[str],
+    results: list[str],
 ) -> None:
-    """Write the manifest of the given parameter and result files."""
+    """Write the manifest of the given parameter and result files; `code` is a digest of it."""
     content = {
         "repro": __version__,
         "commit": commit,
+        "code": code,
         "root_seed": root_seed,
         "python": platform.python_version(),
         "platform": platform.platform(),

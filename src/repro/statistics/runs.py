@@ -56,9 +56,9 @@ def read_runs(path: str | Path, point: str, origin: str | None = None) -> Runs:
 
     Raises ReproError if `origin` is given, and the runs have another.
     """
+    if origin is not None:
+        check_runs(path, point, origin)
     with np.load(path) as file:
-        if origin is not None:
-            check_origin(f"{path}, {point}", file[f"{point}/origin"].item(), origin)
         names = [name for name in file.files if name.startswith(f"{point}/")]
         of_point = {name.removeprefix(f"{point}/"): _double(file[name]) for name in names}
     n, *components = of_point["components"]
@@ -75,6 +75,13 @@ def read_runs(path: str | Path, point: str, origin: str | None = None) -> Runs:
         degenerate=of_point["degenerate"],
         recorded={name.removeprefix("recorded/"): of_point[name] for name in recorded},
     )
+
+
+def check_runs(path: str | Path, point: str, origin: str) -> None:
+    """Raise ReproError unless the file has runs of the point of that origin."""
+    with np.load(path) as file:
+        name = f"{point}/origin"
+        check_origin(f"{path}, {point}", file[name].item() if name in file else "", origin)
 
 
 def _compact(values: np.ndarray) -> np.ndarray:

@@ -15,6 +15,7 @@ NAME = re.compile(r"\b(\w+)\b(?: +as +\w+)?")
 
 SOURCE = Path(__file__).resolve().parents[2]
 PROJECT = SOURCE.parent
+SOURCES = (".py", ".smk", ".yaml", ".csv")
 
 
 @cache
@@ -49,6 +50,16 @@ def code_digest(*starts: str) -> str:
     """Digest of the reached files: an edit changes it, a new time stamp does not."""
     digests = [f"{file} {_digest(file)}" for file in code_files(*starts)]
     return sha256("\n".join(digests).encode()).hexdigest()
+
+
+def source_digest() -> str:
+    """Digest of all that decides a result: code, rules, figures, parameters."""
+    folders = ("src", "workflow", "figures", "params")
+    found = [PROJECT / "Snakefile"]
+    for folder in folders:
+        found += [p for p in PROJECT.joinpath(folder).rglob("*") if p.suffix in SOURCES]
+    files = sorted(str(path.relative_to(PROJECT)) for path in found)
+    return sha256("\n".join(f"{file} {_digest(file)}" for file in files).encode()).hexdigest()
 
 
 @cache

@@ -5,12 +5,13 @@ import contextlib
 import io
 import json
 import os
+import re
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from repro.atomic import atomic_write, pid_of_part
+from repro.atomic import MARK, atomic_write, pid_of_part
 from repro.errors import ReproError
 
 UNKNOWN = "unknown"  # the start of a process of another user, where the system hides it
@@ -20,6 +21,11 @@ ONLY_ASKS = (
     "summary detailed_summary list_changes list_input_changes list_params_changes list_untracked "
     "list_conda_envs unlock"
 ).split()
+
+# Words that may stand for one of these options: only then is the whole command line parsed.
+MAY_ONLY_ASK = re.compile(
+    r"-[a-zA-Z]*[nlSD]|--(dry|lint|list|print|dag|rule|file|d3|summ|detail|unlock|report)"
+)
 
 
 class Mark(NamedTuple):
@@ -38,6 +44,8 @@ class Mark(NamedTuple):
 
 def runs_jobs(words: Sequence[str]) -> bool:
     """Whether Snakemake with these words of its command line runs jobs, unlike with -n."""
+    if not any(MAY_ONLY_ASK.match(word) for word in words):
+        return True
     from snakemake.cli import parse_args  # of the main process alone
 
     with contextlib.redirect_stderr(io.StringIO()):  # Snakemake has named its profile already
@@ -72,6 +80,7 @@ def hold(records: str | Path, *results: str | Path) -> None:
             if (other.host, other.clone) != (here, clone):
                 _remove(mark, os.getpid())
                 raise ReproError(_refusal(other, folder.parent))
+    os.environ[MARK] = str(files[-1])
     # A run that has marked itself in the meantime has other locks than those found above.
     if not _others(of_clone, name):
         for left in locks:
