@@ -67,7 +67,7 @@ def filterpy_steps(log: Log, model: Model) -> None:
 def main() -> None:
     paper = load_paper(ROOT / "params" / "unknown_losses.yaml")
     for study in ("linear_losses", "radar"):
-        parameters, filters = paper.studies[study]["loss=0.5"]
+        parameters, filters, *_ = paper.studies[study]["loss=0.5"]
         trials = parameters.trials
         log = simulated(study, "loss=0.5", parameters, 0, np.arange(trials))
         steps = log.values["/truth"].shape[1]

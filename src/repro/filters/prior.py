@@ -18,7 +18,7 @@ def build(model: LinearModel | Model | SensorNetwork, settings: dict) -> Filter:
     if isinstance(model, LinearModel):
 
         def moved(mean: np.ndarray, k: int) -> np.ndarray:
-            return np.matvec(model.transition_matrix(k), mean)
+            return (model.transition_matrix(k) * mean[:, None]).sum(axis=-1)
 
     else:
 

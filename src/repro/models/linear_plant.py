@@ -2,10 +2,12 @@
 
 import numpy as np
 
+from repro.kernels import arrays
+
 
 def transition_matrix(k: int, sine_period: float) -> np.ndarray:
     """A(k) of (37), (2, 2). With the printed period 2 the sine is 0 (to 1e-16 k) at every k."""
-    return np.array([[0.8, 0.0], [0.2 * np.sin(2 * k * np.pi / sine_period), 0.95]])
+    return np.array([[0.8, 0.0], [0.2 * arrays.sin(2 * k * np.pi / sine_period), 0.95]])
 
 
 def trajectory(x0: np.ndarray, noise: np.ndarray, sine_period: float) -> np.ndarray:
@@ -13,5 +15,6 @@ def trajectory(x0: np.ndarray, noise: np.ndarray, sine_period: float) -> np.ndar
     states = np.empty((noise.shape[0], noise.shape[1] + 1, 2))
     states[:, 0] = x0
     for k in range(noise.shape[1]):
-        states[:, k + 1] = np.matvec(transition_matrix(k, sine_period), states[:, k]) + noise[:, k]
+        moved = (transition_matrix(k, sine_period) * states[:, k, None]).sum(axis=-1)
+        states[:, k + 1] = moved + noise[:, k]
     return states
