@@ -2,7 +2,7 @@
 
 Loops over the components; the innermost is over systems, so that it is vectorised. An estimate is
 (n, systems); a covariance is its upper triangle row by row, packed as (n (n + 1) / 2, systems).
-The systems are worked through in parts of PART, whose rows stay in the first cache.
+The systems are worked through in parts of PART, whose rows stay in the cache.
 
 A matrix of a model, a Jacobian for instance, is the terms of its rows, five arrays: columns,
 weights and places (m, terms), ends (m, 2), slabs (., systems). Up to ends[i, 0] the entry of row
@@ -13,7 +13,7 @@ with zeros. From there up to ends[i, 1] it varies with the system and is slabs[p
 from repro.kernels.compiled import kernel, scalar
 from repro.kernels.elementary import log
 
-PART = 128  # systems
+PART = 512  # systems
 
 
 @scalar
@@ -37,31 +37,27 @@ def combine(matrix, i, source, at, n, begin, first, start, out):
     at once: a pass costs as much as what it loads and stores.
     """
     columns, weights, places, ends, slabs = matrix
-    for s in range(out.size):
-        out[s] = start
-    end = begin + out.size
+    end, last = begin + out.size, first + out.size
     for t in range(0, ends[i, 0], 4):
         w0, w1, w2, w3 = weights[i, t], weights[i, t + 1], weights[i, t + 2], weights[i, t + 3]
         row_0 = source[row_of(at, columns[i, t], n), begin:end]
         row_1 = source[row_of(at, columns[i, t + 1], n), begin:end]
         row_2 = source[row_of(at, columns[i, t + 2], n), begin:end]
         row_3 = source[row_of(at, columns[i, t + 3], n), begin:end]
+        if t == 0:
+            for s in range(out.size):
+                out[s] = start + (w0 * row_0[s] + w1 * row_1[s] + w2 * row_2[s] + w3 * row_3[s])
+        else:
+            for s in range(out.size):
+                out[s] += w0 * row_0[s] + w1 * row_1[s] + w2 * row_2[s] + w3 * row_3[s]
+    if ends[i, 0] == 0:
         for s in range(out.size):
-            out[s] += (w0 * row_0[s] + w1 * row_1[s]) + (w2 * row_2[s] + w3 * row_3[s])
-    last = first + out.size
-    t = ends[i, 0]
-    while t + 1 < ends[i, 1]:
-        entry_0, entry_1 = slabs[places[i, t], first:last], slabs[places[i, t + 1], first:last]
-        row_0 = source[row_of(at, columns[i, t], n), begin:end]
-        row_1 = source[row_of(at, columns[i, t + 1], n), begin:end]
+            out[s] = start
+    for t in range(ends[i, 0], ends[i, 1]):
+        entry, row = slabs[places[i, t], first:last], source[row_of(at, columns[i, t], n)]
+        row = row[begin:end]
         for s in range(out.size):
-            out[s] += entry_0[s] * row_0[s] + entry_1[s] * row_1[s]
-        t += 2
-    if t < ends[i, 1]:
-        entry_0, row_0 = slabs[places[i, t], first:last], source[row_of(at, columns[i, t], n)]
-        row_0 = row_0[begin:end]
-        for s in range(out.size):
-            out[s] += entry_0[s] * row_0[s]
+            out[s] += entry[s] * row[s]
 
 
 @kernel

@@ -9,7 +9,6 @@ from repro.kernels import compiled_resampling as resampling
 from repro.kernels import random
 from repro.kernels.compiled import kernel
 from repro.kernels.elementary import log, logaddexp
-from repro.kernels.kalman_step import packed
 from repro.kernels.sensor_network_step import draw_parents
 
 
@@ -141,24 +140,9 @@ def distinct(parents, first, column, gamma, source, arrived, next_first, triples
 
 
 @kernel
-def means(estimate, column, weights, out, row):
-    """(16): weighted sums over the particles, (trials, n)."""
+def means(values, column, weights, out, row):
+    """Weighted sums over the particles, (trials, n), of values (n, columns)."""
     for trial in range(len(out)):
-        for i in range(len(estimate)):
-            of_particles(estimate[i], column[trial], row)
-            out[trial, i] = resampling.weighted_total(weights[trial], row)
-
-
-@kernel
-def variances(estimate, sigma, column, weights, mean, with_spread, out, row):
-    """Diagonal of (17), (trials, n), with the spread of the means or without it, as printed."""
-    n = len(estimate)
-    for trial in range(len(out)):
-        for i in range(n):
-            place = packed(i, i, n)
-            for j in range(row.size):
-                row[j] = estimate[i, column[trial, j]] - mean[trial, i]
-            for j in range(row.size):
-                of = sigma[place, column[trial, j]]
-                row[j] = of + row[j] * row[j] if with_spread else of
+        for i in range(len(values)):
+            of_particles(values[i], column[trial], row)
             out[trial, i] = resampling.weighted_total(weights[trial], row)

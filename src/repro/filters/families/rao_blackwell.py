@@ -113,7 +113,7 @@ def build(model: Model, settings: RaoBlackwell, update: Update) -> Filter:
         particles = Particles(*(values.copy() for values in state.particles))
         log_weights, weights = state.log_weights.copy(), np.empty_like(state.weights)
         arrival = (0.0, 1.0) if state.started else (None, None)
-        scratch = np.empty(drawn), np.empty(count)
+        scratch = np.empty(drawn)
         kernels.sample(  # step 2
             state.keys,
             k,
@@ -124,7 +124,8 @@ def build(model: Model, settings: RaoBlackwell, update: Update) -> Filter:
             particles.column,
             particles.gamma,
             log_weights,
-            *scratch,
+            scratch,
+            np.empty(count),
         )
         selection = Selection(
             np.empty_like(particles.column), np.empty(len(weights), dtype=np.bool_)
@@ -139,18 +140,25 @@ def build(model: Model, settings: RaoBlackwell, update: Update) -> Filter:
             weights,
             *selection,
             degenerate,
-            scratch[0],
+            scratch,
         )
         bank, particles = update(bank, innovation, particles, selection)
-        mean = np.empty_like(state.mean)
-        kernels.means(bank.estimate, particles.column, weights, mean, scratch[1])  # step 4b
+        mean = combined(bank.estimate, particles, weights)  # (16), step 4b
         return State(state.keys, True, bank, particles, log_weights, weights, mean, degenerate)
 
-    def variance(state: State) -> np.ndarray:
-        found, spread = np.empty_like(state.mean), settings.covariance == "with spread"
-        of_bank = state.bank.estimate, state.bank.covariance, state.particles.column
-        kernels.variances(*of_bank, state.weights, state.mean, spread, found, np.empty(count))
+    def combined(values: np.ndarray, particles: Particles, weights: np.ndarray) -> np.ndarray:
+        """Weighted sum over the particles of (n, columns), (trials, n)."""
+        found = np.empty((len(weights), len(values)))
+        kernels.means(values, particles.column, weights, found, np.empty(count))
         return found
+
+    def variance(state: State) -> np.ndarray:
+        """Diagonal of (17), with the spread of the means if the settings say so."""
+        bank = state.bank
+        values = kalman.variances(bank.covariance, len(bank.estimate))
+        if settings.covariance == "with spread":
+            values += (bank.estimate - bank.of_columns(state.mean).T) ** 2
+        return combined(values, state.particles, state.weights)
 
     return Filter(
         init,
