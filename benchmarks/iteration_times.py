@@ -16,7 +16,7 @@ import numpy as np
 import pandas as pd
 
 from repro.logs import Log
-from repro.papers.unknown_losses.claims.linear_losses import TIMES
+from repro.papers.unknown_losses.claims.particles import TIMES
 from repro.parameters.load import load_paper
 from repro.runner import run
 from repro.simulate import simulated
@@ -50,7 +50,7 @@ def best_time(log: Log, name: str, settings: dict[str, Any]) -> float:
 def main() -> None:
     paper = load_paper(ROOT / "params" / "unknown_losses.yaml")
     rows = []
-    for point, (parameters, filters) in paper.studies["linear_losses"].items():
+    for point, (parameters, filters, *_) in paper.studies["linear_losses"].items():
         if not point.startswith("particles="):
             continue
         assert isinstance(parameters, linear_losses.Parameters)

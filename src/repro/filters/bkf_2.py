@@ -6,11 +6,10 @@ soon stays at 0 or 1. The default prior is that of the loss process instead.
 
 from typing import Any
 
-import numpy as np
-
 from repro.filters import Filter
 from repro.filters.families import extended_kalman
 from repro.filters.families.extended_kalman import Evidence, Weighed
+from repro.kernels import arrays
 from repro.models import Model
 from repro.network.channels import Seen
 from repro.network.losses import log_odds
@@ -28,8 +27,7 @@ def build(model: Model, settings: MergedHypotheses) -> Filter:
         # Of lambda(k-1) the log odds are kept: lambda itself would round to 0 or 1.
         prior = last if literal and last is not None else log_odds(chain.arrival(last))
         odds = evidence() + prior
-        with np.errstate(over="ignore"):  # odds of -1000 make lambda 0
-            arrived = 1 / (1 + np.exp(-odds))  # lambda(k) of (11)
+        arrived = 1 / (1 + arrays.exp(-odds))  # lambda(k) of (11)
         return arrived, odds if literal else arrived
 
     return extended_kalman.build(model, weigh, spread=True)  # (12), (13)

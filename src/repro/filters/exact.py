@@ -10,7 +10,7 @@ import numpy as np
 
 from repro.filters import Filter
 from repro.filters.families import kalman
-from repro.kernels.resampling import normalised
+from repro.kernels import arrays
 from repro.models import Model
 from repro.network.channels import Seen
 from repro.streams import Streams
@@ -46,11 +46,11 @@ def build(model: Model, settings: dict[str, Any]) -> Filter:
         innovation = kalman.innovate(
             model, estimate, covariance, received.repeat(sequences, axis=0), seen.sensor
         )
-        likelihood = kalman.log_likelihood(innovation).reshape(trials, sequences)
+        likelihood = innovation.log_likelihood.reshape(trials, sequences)
         arrival = np.asarray(chain.arrival(last))
-        with np.errstate(divide="ignore"):  # an impossible sequence has the log weight -inf
-            arrived = log_weights + np.log(arrival) + likelihood
-            lost = log_weights + np.log1p(-arrival) + of_noise(received)[:, None]
+        # An impossible sequence has the log weight -inf.
+        arrived = log_weights + arrays.log(arrival) + likelihood
+        lost = log_weights + arrays.log1p(-arrival) + of_noise(received)[:, None]
         updated = kalman.correct(estimate.copy(), covariance.copy(), innovation, 1.0)
 
         def both(if_lost, if_arrived):
@@ -64,15 +64,18 @@ def build(model: Model, settings: dict[str, Any]) -> Filter:
             np.concatenate([lost, arrived], axis=-1),
         )
 
+    def combined(state: State, values: np.ndarray) -> np.ndarray:
+        """Weighted sum over the sequences of (n, trials * sequences), (trials, n)."""
+        weights = arrays.exp(state.log_weights - state.log_weights.max(axis=-1, keepdims=True))
+        weights /= weights.sum(axis=-1, keepdims=True)
+        return (values.reshape(n, *weights.shape) * weights).sum(axis=-1).T
+
     def mean(state: State) -> np.ndarray:
-        weights, _ = normalised(state.log_weights)
-        return np.vecdot(state.estimate.reshape(n, *weights.shape), weights).T
+        return combined(state, state.estimate)
 
     def variance(state: State) -> np.ndarray:
-        weights, _ = normalised(state.log_weights)
-        estimates = state.estimate.reshape(n, *weights.shape)
-        spread = (estimates - np.vecdot(estimates, weights)[..., None]) ** 2
-        of_state = kalman.diagonal(state.covariance, n).reshape(n, *weights.shape)
-        return np.vecdot(of_state + spread, weights).T
+        sequences = state.log_weights.shape[1]
+        spread = (state.estimate - mean(state).T.repeat(sequences, axis=-1)) ** 2
+        return combined(state, kalman.variances(state.covariance, n) + spread)
 
     return Filter(init, step, mean, variance=variance, particles=SEQUENCES)

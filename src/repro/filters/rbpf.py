@@ -1,7 +1,7 @@
 """RBPF: particles are loss sequences, each with its Kalman filter [unknown_losses Algorithm 3]."""
 
 from repro.filters import Filter
-from repro.filters.families.rao_blackwell import ColumnPerParticle
+from repro.filters.families import rao_blackwell
 from repro.models import Model
 from repro.parameters.settings import RaoBlackwell
 
@@ -10,4 +10,4 @@ SEES = ("received",)
 
 
 def build(model: Model, settings: RaoBlackwell) -> Filter:
-    return ColumnPerParticle(model, settings).filter()
+    return rao_blackwell.build(model, settings, rao_blackwell.column_per_particle)

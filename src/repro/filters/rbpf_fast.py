@@ -1,7 +1,7 @@
 """Fast RBPF: one Kalman update for each distinct particle [unknown_losses Algorithm 4]."""
 
 from repro.filters import Filter
-from repro.filters.families.rao_blackwell import ColumnPerTriple
+from repro.filters.families import rao_blackwell
 from repro.models import Model
 from repro.parameters.settings import RaoBlackwell
 
@@ -11,4 +11,5 @@ STREAM = "rbpf"  # the same random numbers as Algorithm 3
 
 
 def build(model: Model, settings: RaoBlackwell) -> Filter:
-    return ColumnPerTriple(model, settings).filter()
+    built = rao_blackwell.build(model, settings, rao_blackwell.column_per_triple)
+    return built._replace(diagnostics=rao_blackwell.triples)

@@ -8,16 +8,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from repro.models.sparse import Rows
+from repro.models.sparse import Jacobian
 
 # Position of the sensor that measures, (..., 2), where a study schedules sensors; None elsewhere.
 Sensor = Any
 
 MatrixOfStep = Callable[[int], np.ndarray]  # k -> A(k), (n, n)
 Transition = Callable[[np.ndarray, int], np.ndarray]  # (x, k) -> f(x), (..., n), a new array
-TransitionJacobian = Callable[[np.ndarray, int], Rows]  # (x, k) -> f'(x), n rows
+TransitionJacobian = Callable[[np.ndarray, int], Jacobian]  # (x, k) -> f'(x), n rows
 Measurement = Callable[[np.ndarray, Sensor], np.ndarray]  # (x, sensor) -> h(x), (..., m)
-MeasurementJacobian = Callable[[np.ndarray, Sensor], Rows]  # (x, sensor) -> h'(x), m rows
+MeasurementJacobian = Callable[[np.ndarray, Sensor], Jacobian]  # (x, sensor) -> h'(x), m rows
 # (received, expected) -> their difference, (..., m), in which angles are wrapped
 Difference = Callable[[np.ndarray, np.ndarray], np.ndarray]
 # (x, u, k) -> f(x, u), (..., n), and its Jacobian by x, dense, (..., n, n)
@@ -40,7 +40,7 @@ class LinearModel(NamedTuple):
 class Model(NamedTuple):
     """x(k+1) = f(x(k)) + w(k), z(k) = h(x(k)) + v(k), z of m components, with f' and h'.
 
-    Jacobians are sparse rows (repro.models.sparse).
+    A Jacobian is an array, constant or of each state, or sparse rows (repro.models.sparse).
     """
 
     transition: Transition

@@ -8,6 +8,8 @@ from typing import Literal, NamedTuple, Protocol
 
 import numpy as np
 
+from repro.kernels import arrays
+
 
 class Losses(NamedTuple):
     """The chain gamma(k) as a filter knows it: probabilities of an arrival, never an arrival."""
@@ -69,5 +71,4 @@ def arrivals(uniforms: np.ndarray, chain: Losses) -> np.ndarray:
 
 def log_odds(probability: np.ndarray | float) -> np.ndarray:
     """log(p / (1 - p)); infinite, not NaN, at 0 and 1."""
-    with np.errstate(divide="ignore"):
-        return np.log(probability) - np.log1p(-np.asarray(probability, dtype=float))
+    return arrays.log(probability) - arrays.log1p(-np.asarray(probability))

@@ -7,7 +7,6 @@ from pydantic import Field
 
 from repro.logs import Log
 from repro.models import Model, linear_system
-from repro.models.sparse import rows as sparse_rows
 from repro.network import losses
 from repro.network.channels import Recorded
 from repro.parameters.values import (
@@ -77,7 +76,7 @@ class Analysis(Values):
 
 def squared_error(runs: Runs) -> np.ndarray:
     """|x(k) - xh(k|k)|^2, (trials, steps)."""
-    return np.vecdot(runs.error, runs.error)
+    return (runs.error * runs.error).sum(axis=-1)
 
 
 def claimed_mean_square(runs: Runs) -> np.ndarray:
@@ -110,15 +109,19 @@ class LinearLosses(Study):
 
     def simulate(self, parameters: Parameters, streams: StreamsOf) -> dict[str, np.ndarray]:
         steps = parameters.steps
-        prior = linear_system.root(np.array(parameters.initial_covariance))
-        process = linear_system.root(np.array(parameters.process_covariance))
-        x0 = np.matvec(prior, streams("prior").standard_normal(len(COMPONENTS)))
+        prior, process = (
+            linear_system.gaussian(np.array(covariance), streams(role).standard_normal(*shape, 2))
+            for role, shape, covariance in (
+                ("prior", (), parameters.initial_covariance),
+                ("process", (steps - 1,), parameters.process_covariance),
+            )
+        )
         truth = linear_system.trajectory(
-            sparse_rows(parameters.transition_matrix),
-            np.array(parameters.initial_mean) + x0,
-            np.matvec(process, streams("process").standard_normal(steps - 1, len(COMPONENTS))),
+            np.array(parameters.transition_matrix),
+            np.array(parameters.initial_mean) + prior,
+            process,
         )  # (20)
-        measured = np.vecdot(truth, np.array(parameters.measurement_row))
+        measured = linear_system.product(np.array([parameters.measurement_row]), truth)[:, :, 0]
         v = np.sqrt(parameters.measurement_variance) * streams("sensor").standard_normal(steps)
         gamma = losses.arrivals(streams("network").uniform(steps), losses.losses(parameters))
         return {
@@ -129,8 +132,8 @@ class LinearLosses(Study):
         }
 
     def model(self, parameters: Parameters) -> Model:
-        transition = sparse_rows(parameters.transition_matrix)
-        measurement = sparse_rows([parameters.measurement_row])
+        transition = np.array(parameters.transition_matrix)
+        measurement = np.array([parameters.measurement_row])
         return Model(
             transition=lambda x, k: linear_system.product(transition, x),
             transition_jacobian=lambda x, k: transition,

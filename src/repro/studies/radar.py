@@ -8,7 +8,6 @@ from pydantic import Field
 from repro.logs import Log
 from repro.models import Model, linear_system
 from repro.models import radar as system
-from repro.models.sparse import rows as sparse_rows
 from repro.network import losses
 from repro.network.channels import Recorded
 from repro.parameters.values import (
@@ -135,12 +134,12 @@ class Radar(Study):
     def simulate(self, parameters: Parameters, streams: StreamsOf) -> dict[str, np.ndarray]:
         steps, n = parameters.steps, len(system.STATE)
         process, prior = _covariances(parameters)
-        x0 = np.matvec(linear_system.root(prior), streams("prior").standard_normal(n))
+        x0 = linear_system.gaussian(prior, streams("prior").standard_normal(n))
         if parameters.true_initial_state == "mean":
             x0[:] = 0.0
-        w = np.matvec(linear_system.root(process), streams("process").standard_normal(steps, n))
+        w = linear_system.gaussian(process, streams("process").standard_normal(steps, n))
         truth = linear_system.trajectory(
-            sparse_rows(system.transition_matrix(parameters.sampling_time)),
+            system.transition_matrix(parameters.sampling_time),
             _of_both_axes(parameters.true_initial_mean) + x0,
             _of_both_axes(parameters.known_input) + w,
         )  # (21)
@@ -155,7 +154,7 @@ class Radar(Study):
         }
 
     def model(self, parameters: Parameters) -> Model:
-        transition = sparse_rows(system.transition_matrix(parameters.sampling_time))
+        transition = system.transition_matrix(parameters.sampling_time)
         process, prior = _covariances(parameters)
         u = _of_both_axes(parameters.known_input)
         wrapped = parameters.bearing == "atan2, wrapped"

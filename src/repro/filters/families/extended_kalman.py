@@ -35,7 +35,7 @@ def build(model: Model, weigh: Weigh, spread: bool = False, channel: str = "rece
     A weight of 1 uses y(k) as a measurement, and 0 ignores it. With `spread` the weight is a
     probability, and the spread of the means with and without y(k) is added to the covariance.
     """
-    n, m = len(model.initial_mean), len(model.measurement_covariance)
+    m = len(model.measurement_covariance)
     of_noise = kalman.noise_log_likelihood(model)
 
     def init(streams: Streams) -> State:
@@ -54,7 +54,7 @@ def build(model: Model, weigh: Weigh, spread: bool = False, channel: str = "rece
         innovation = kalman.innovate(model, estimate, covariance, received, seen.sensor)
 
         def evidence() -> np.ndarray:
-            return kalman.log_likelihood(innovation) - of_noise(received)
+            return innovation.log_likelihood - of_noise(received)
 
         weight, last = weigh(seen, evidence, state.last)
         corrected = kalman.correct(estimate, covariance, innovation, weight, spread)  # (4)
@@ -65,6 +65,6 @@ def build(model: Model, weigh: Weigh, spread: bool = False, channel: str = "rece
         step,
         mean=lambda state: state.estimate.T,
         predicted=lambda state, k: model.transition(state.estimate.T, k - 1),
-        variance=lambda state: kalman.diagonal(state.covariance, n).T,
+        variance=lambda state: kalman.variances(state.covariance, len(state.estimate)).T,
         arrived=lambda state: np.broadcast_to(state.weight, state.estimate.shape[1:]),
     )

@@ -4,21 +4,22 @@ A particle is a loss sequence; given it, the state has a Kalman filter. The Kalm
 columns of a bank: a column a particle in Algorithm 3, a column a distinct triple in Algorithm 4.
 """
 
-from abc import ABC, abstractmethod
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
 from repro.filters import Filter
 from repro.filters.families import kalman
-from repro.kernels.resampling import effective_sample_size, multinomial, normalised, systematic
+from repro.kernels import random
+from repro.kernels import rao_blackwell_step as kernels
+from repro.kernels.sensor_network_step import MULTINOMIAL, SYSTEMATIC
 from repro.models import Model
 from repro.network.channels import Seen
-from repro.network.losses import log_odds
 from repro.parameters.settings import RaoBlackwell
 from repro.streams import Streams
 
-NUMBERS_PER_DRAW = 2048  # of a trial, for as many steps as they suffice for
+SCHEMES = {"multinomial": MULTINOMIAL, "systematic": SYSTEMATIC}
 
 
 class Bank(NamedTuple):
@@ -26,259 +27,184 @@ class Bank(NamedTuple):
 
     estimate: np.ndarray  # (n, columns)
     covariance: np.ndarray  # packed, (n (n + 1) / 2, columns)
-    trial: np.ndarray  # which trial a column belongs to, (columns,)
+    first: np.ndarray  # where the columns of each trial begin, and end, (trials + 1,)
+
+    def of_columns(self, values: np.ndarray) -> np.ndarray:
+        """Values (trials, m) of each column's trial, (columns, m), component-major in memory."""
+        trial = np.arange(len(values)).repeat(np.diff(self.first))
+        return values.T.take(trial, axis=1).T
 
 
 class Particles(NamedTuple):
     """The triples (gamma, xh, Sigma) of all particles: gamma, and where xh and Sigma are."""
 
-    gamma: np.ndarray | None  # gamma(k) of each, (trials, particles); None before the first packet
+    gamma: np.ndarray  # gamma(k) of each, (trials, particles)
     column: np.ndarray  # of the bank, (trials, particles)
+
+
+class Selection(NamedTuple):
+    """What step 3 chose."""
+
+    parents: np.ndarray  # of each particle, in its own trial, (trials, particles)
+    resampled: np.ndarray  # in which trials they are not the particles themselves, (trials,)
+
+
+# Steps 3c and 4a: (bank, innovation, particles, selection) -> those at k|k; may overwrite them.
+Update = Callable[[Bank, kalman.Innovation, Particles, Selection], tuple[Bank, Particles]]
 
 
 class State(NamedTuple):
     """What the filter keeps of step k."""
 
-    draws: "Draws"
+    keys: np.ndarray  # of the trials' random numbers, (trials,)
+    started: bool  # whether there was a packet
     bank: Bank  # at k|k
     particles: Particles
     log_weights: np.ndarray  # (trials, particles), up to a constant of the trial
     weights: np.ndarray  # the same, normalised
-    mean: np.ndarray  # xh(k|k), (n, trials)
+    mean: np.ndarray  # xh(k|k), (trials, n)
     degenerate: np.ndarray  # updates so far that left no particle a weight, (trials,)
 
 
-class Draws:
-    """Two uniforms a particle and step, for gamma and for resampling, drawn some steps ahead."""
-
-    def __init__(self, streams: Streams, particles: int):
-        self._streams, self._left = streams, 0
-        self._shape = (max(1, NUMBERS_PER_DRAW // (2 * particles)), 2, particles)
-        self._ahead = np.empty(0)
-
-    def next(self) -> tuple[np.ndarray, np.ndarray]:
-        """The uniforms of the next step, (trials, particles) each."""
-        if self._left == 0:
-            self._ahead = self._streams.uniform(*self._shape)
-            self._left = self._shape[0]
-        step = self._ahead[:, -self._left]
-        self._left -= 1
-        return step[:, 0], step[:, 1]
-
-
-class RaoBlackwellised(ABC):
-    """Algorithm 3, one method a step, but for step 4a, in which Algorithm 4 differs.
+def build(model: Model, settings: RaoBlackwell, update: Update) -> Filter:
+    """The filter, with `column_per_particle` (Algorithm 3) or `column_per_triple` (Algorithm 4).
 
     Settings: `particles`, N; `threshold`, N_T as a share of N; `resampling`; `proposal`, the prior
     or the optimal one, p(gamma(k) | gamma(k-1), y(k)); `covariance`, with the spread of the means
     or as printed in (17).
     """
+    m, count, chain = len(model.measurement_covariance), settings.particles, model.network
+    of_noise = kalman.noise_log_likelihood(model)
+    drawn = random.padded(count + 1)
 
-    def __init__(self, model: Model, settings: RaoBlackwell):
-        self._model, self._settings = model, settings
-        self._n, self._m = len(model.initial_mean), len(model.measurement_covariance)
-        self._noise_likelihood = kalman.noise_log_likelihood(model)
-
-    def filter(self) -> Filter:
-        """The filter as pure functions of its state."""
-        return Filter(
-            self.init,
-            self.step,
-            mean=lambda state: state.mean.T,
-            variance=self.variance,
-            degenerate=lambda state: state.degenerate,
-            arrived=lambda state: np.vecdot(state.weights, state.particles.gamma),
-            particles=self._settings.particles,
-        )
-
-    def init(self, streams: Streams) -> State:
-        """Step 1, without its gamma(0), which `sample` draws as that of any step."""
-        trials, particles = len(streams), self._settings.particles
-        columns = self._first_columns()
-        start = kalman.start(self._model, trials * columns)
-        column = np.arange(trials * columns).reshape(trials, columns)
+    def init(streams: Streams) -> State:
+        """Step 1, without its gamma(0), which is drawn as that of any step."""
+        trials = len(streams)
+        each = count if update is column_per_particle else 1
+        first = each * np.arange(trials + 1)
+        own = np.arange(count) if each == count else np.zeros(count, dtype=np.int64)
         return State(
-            Draws(streams, particles),
-            Bank(*start, np.arange(trials).repeat(columns)),
-            Particles(None, np.broadcast_to(column, (trials, particles))),
-            log_weights=np.zeros((trials, particles)),
-            weights=np.full((trials, particles), 1 / particles),
-            mean=np.repeat(self._model.initial_mean[:, None], trials, axis=1),
+            streams.keys(),
+            False,
+            Bank(*kalman.start(model, trials * each), first),
+            Particles(np.zeros((trials, count)), first[:-1, None] + own),
+            log_weights=np.zeros((trials, count)),
+            weights=np.full((trials, count), 1 / count),
+            mean=np.tile(np.asarray(model.initial_mean, dtype=float), (trials, 1)),
             degenerate=np.zeros(trials),
         )
 
-    def step(self, state: State, k: int, seen: Seen) -> State:
-        """Steps 2 to 4 with y(k), after the prediction that step 4c of k - 1 left to do."""
-        bank = self.predict(state.bank, k, seen)
-        received = seen.received.reshape(-1, self._m)
-        of_columns = received.T.take(bank.trial, axis=1).T
-        innovation = kalman.innovate(self._model, bank.estimate, bank.covariance, of_columns)
-        for_gamma, for_parents = state.draws.next()
-        gamma, gained = self.sample(state.particles, for_gamma, innovation, received)
-        log_weights = state.log_weights + gained  # step 2b
-        weights, degenerate = normalised(log_weights)
-        log_weights[degenerate] = 0.0
-        rows, parents = self.resample(weights, for_parents)
-        if parents is not None:
-            log_weights[rows], weights[rows] = 0.0, 1 / self._settings.particles  # step 3c
-        sampled = Particles(gamma, state.particles.column)
-        bank, particles = self.update(bank, innovation, sampled, parents)
-        return State(
-            state.draws,
-            bank,
-            particles,
-            log_weights,
-            weights,
-            self._combined(bank.estimate, particles.column, weights),  # (16), step 4b
-            state.degenerate + degenerate,
+    def predict(bank: Bank, k: int, seen: Seen) -> Bank:
+        """Step 4c of k - 1, (5), of every column; at k = 0 the bank is the prediction already."""
+        if k == 0:
+            return Bank(bank.estimate.copy(), bank.covariance.copy(), bank.first)
+        known = None if seen.input is None else bank.of_columns(seen.input)
+        return Bank(
+            *kalman.predict(model, bank.estimate, bank.covariance, k - 1, known), bank.first
         )
 
-    def predict(self, bank: Bank, k: int, seen: Seen) -> Bank:
-        """Step 4c, (5), of every column; at k = 0 the bank is the prediction already."""
-        if k == 0:
-            return bank
-        known = None if seen.input is None else seen.input.take(bank.trial, axis=0)
-        predicted = kalman.predict(self._model, bank.estimate, bank.covariance, k - 1, known)
-        return Bank(*predicted, bank.trial)
+    def step(state: State, k: int, seen: Seen) -> State:
+        """Steps 2 to 4 with y(k), after the prediction that step 4c of k - 1 left to do."""
+        bank = predict(state.bank, k, seen)
+        received = seen.received.reshape(-1, m)
+        innovation = kalman.innovate(
+            model, bank.estimate, bank.covariance, bank.of_columns(received)
+        )
+        particles = Particles(*(values.copy() for values in state.particles))
+        log_weights, weights = state.log_weights.copy(), np.empty_like(state.weights)
+        arrival = (0.0, 1.0) if state.started else (None, None)
+        scratch = np.empty(drawn)
+        kernels.sample(  # step 2
+            state.keys,
+            k,
+            tuple(float(chain.arrival(last)) for last in arrival),
+            settings.proposal == "optimal",
+            innovation.log_likelihood,
+            of_noise(received),
+            particles.column,
+            particles.gamma,
+            log_weights,
+            scratch,
+            np.empty(count),
+        )
+        selection = Selection(
+            np.empty_like(particles.column), np.empty(len(weights), dtype=np.bool_)
+        )
+        degenerate = state.degenerate.copy()
+        kernels.select(  # step 3
+            state.keys,
+            k,
+            float(settings.threshold * count),
+            SCHEMES[settings.resampling],
+            log_weights,
+            weights,
+            *selection,
+            degenerate,
+            scratch,
+        )
+        bank, particles = update(bank, innovation, particles, selection)
+        mean = combined(bank.estimate, particles, weights)  # (16), step 4b
+        return State(state.keys, True, bank, particles, log_weights, weights, mean, degenerate)
 
-    def sample(
-        self,
-        particles: Particles,
-        uniforms: np.ndarray,
-        innovation: kalman.Innovation,
-        received: np.ndarray,
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Step 2: gamma(k) of each particle, and what its log weight gains (19)."""
-        # log p(y(k) | Y(k-1), Gamma(k)) for gamma(k) = 1 and 0
-        likelihood = self._of_particles(kalman.log_likelihood(innovation), particles.column)
-        noise = self._noise_likelihood(received)[:, None]
-        arrival = self._model.network.arrival(particles.gamma)  # p(gamma(k) = 1 | gamma(k-1))
-        if self._settings.proposal == "prior":  # as in the algorithm: the priors in (19) cancel
-            gamma = uniforms >= 1 - arrival
-            return gamma, np.where(gamma, likelihood, noise.repeat(uniforms.shape[1], axis=1))
-        odds = likelihood - noise + log_odds(arrival)
-        gamma = np.log(uniforms) - np.log1p(-uniforms) >= -odds
-        with np.errstate(divide="ignore"):
-            both = np.log(arrival) + likelihood, np.log1p(-np.asarray(arrival)) + noise
-        return gamma, np.logaddexp(*both)  # p(y(k) | Y(k-1), Gamma(k-1))
+    def combined(values: np.ndarray, particles: Particles, weights: np.ndarray) -> np.ndarray:
+        """Weighted sum over the particles of (n, columns), (trials, n)."""
+        found = np.empty((len(weights), len(values)))
+        kernels.means(values, particles.column, weights, found, np.empty(count))
+        return found
 
-    def resample(
-        self, weights: np.ndarray, uniforms: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray | None]:
-        """Steps 3a, 3b: the trials with too few effective particles, and the parents in all trials.
+    def variance(state: State) -> np.ndarray:
+        """Diagonal of (17), with the spread of the means if the settings say so."""
+        bank = state.bank
+        values = kalman.variances(bank.covariance, len(bank.estimate))
+        if settings.covariance == "with spread":
+            values += (bank.estimate - bank.of_columns(state.mean).T) ** 2
+        return combined(values, state.particles, state.weights)
 
-        Parents are numbered through all trials, (trials, particles); elsewhere each particle is
-        its own. None if no trial resamples.
-        """
-        particles, settings = weights.shape[1], self._settings
-        rows = np.flatnonzero(effective_sample_size(weights) < settings.threshold * particles)
-        if len(rows) == 0:
-            return rows, None
-        if settings.resampling == "multinomial":
-            chosen = multinomial(weights[rows], uniforms[rows])
-        else:
-            chosen = systematic(weights[rows], uniforms[rows, 0])
-        parents = np.broadcast_to(np.arange(particles), weights.shape).copy()
-        parents[rows] = chosen
-        return rows, parents + np.arange(0, weights.size, particles)[:, None]
-
-    @abstractmethod
-    def update(
-        self,
-        bank: Bank,
-        innovation: kalman.Innovation,
-        particles: Particles,
-        parents: np.ndarray | None,
-    ) -> tuple[Bank, Particles]:
-        """Steps 3c and 4a: the parents' triples take the place of all, and (4) is done for each."""
-
-    def variance(self, state: State) -> np.ndarray:
-        """Diagonal of (17), (trials, n), with the spread of the means if the settings say so."""
-        variances = kalman.diagonal(state.bank.covariance, self._n)
-        if self._settings.covariance == "with spread":
-            centre = state.mean.take(state.bank.trial, axis=1)
-            variances = variances + (state.bank.estimate - centre) ** 2
-        return self._combined(variances, state.particles.column, state.weights).T
-
-    def _combined(self, values: np.ndarray, column: np.ndarray, weights: np.ndarray) -> np.ndarray:
-        """Weighted sum over the particles of (n, columns), (n, trials)."""
-        return np.vecdot(self._of_particles(values, column), weights)
-
-    @abstractmethod
-    def _first_columns(self) -> int:
-        """Columns that each trial has before the first packet."""
-
-    @abstractmethod
-    def _of_particles(self, values: np.ndarray, column: np.ndarray) -> np.ndarray:
-        """Values (..., columns) of each particle, (..., trials, particles)."""
+    return Filter(
+        init,
+        step,
+        mean=lambda state: state.mean,
+        variance=variance,
+        degenerate=lambda state: state.degenerate,
+        arrived=lambda state: (state.weights * state.particles.gamma).sum(axis=-1),
+        particles=count,
+    )
 
 
-class ColumnPerParticle(RaoBlackwellised):
-    """Algorithm 3: the columns are the particles, in their order."""
-
-    def update(
-        self,
-        bank: Bank,
-        innovation: kalman.Innovation,
-        particles: Particles,
-        parents: np.ndarray | None,
-    ) -> tuple[Bank, Particles]:
-        """Step 4a before 3c: a particle's update depends on its triple alone."""
-        gamma = np.asarray(particles.gamma)
-        corrected = kalman.correct(
-            bank.estimate, bank.covariance, innovation, gamma.ravel().astype(float)
-        )  # (4)
-        if parents is not None:
-            gamma = gamma.ravel()[parents]
-            estimate, covariance = (part.take(parents.ravel(), axis=1) for part in corrected)
-            corrected = estimate, covariance
-        return Bank(*corrected, bank.trial), particles._replace(gamma=gamma)
-
-    def _first_columns(self) -> int:
-        return self._settings.particles
-
-    def _of_particles(self, values: np.ndarray, column: np.ndarray) -> np.ndarray:
-        return values.reshape(*values.shape[:-1], *column.shape)
+def column_per_particle(
+    bank: Bank, innovation: kalman.Innovation, particles: Particles, selection: Selection
+) -> tuple[Bank, Particles]:
+    """Algorithm 3; step 4a before 3c: a particle's update depends on its triple alone."""
+    gamma = particles.gamma
+    kalman.correct(bank.estimate, bank.covariance, innovation, gamma.ravel())  # (4)
+    parents, resampled = selection
+    row = np.empty(gamma.shape[1])
+    kernels.take_parents(resampled, parents, bank.estimate, bank.covariance, gamma, row)
+    return bank, particles
 
 
-class ColumnPerTriple(RaoBlackwellised):
+def column_per_triple(
+    bank: Bank, innovation: kalman.Innovation, particles: Particles, selection: Selection
+) -> tuple[Bank, Particles]:
     """Algorithm 4: a column a distinct triple; the results are Algorithm 3's to the last bit."""
+    parents, (gamma, column) = selection.parents, particles
+    count = gamma.shape[1]
+    source, arrived = np.empty(gamma.size, dtype=np.int64), np.empty(gamma.size)
+    first = np.zeros_like(bank.first)
+    scratch = np.empty(count, dtype=np.int64), np.empty(2 * count, dtype=np.int64)
+    total = kernels.distinct(
+        parents, bank.first, column, gamma, source, arrived, first, *scratch
+    )  # steps 3c and a)
 
-    def filter(self) -> Filter:
-        """The same, which also records the number of distinct triples."""
-        return super().filter()._replace(diagnostics=self.diagnostics)
+    def taken(values: np.ndarray) -> np.ndarray:
+        return values.take(source[:total], axis=-1)
 
-    def update(
-        self,
-        bank: Bank,
-        innovation: kalman.Innovation,
-        particles: Particles,
-        parents: np.ndarray | None,
-    ) -> tuple[Bank, Particles]:
-        """Step 3c, and steps a) to c) of Algorithm 4."""
-        # Particles of one column have equal xh and Sigma: column and gamma number their triples.
-        triple = 2 * particles.column + particles.gamma
-        if parents is not None:
-            triple = triple.ravel()[parents]
-        present = np.zeros(2 * len(bank.trial), dtype=bool)
-        present[triple] = True
-        distinct = np.flatnonzero(present)  # step a), the index set I
-        column, gamma = distinct >> 1, distinct & 1
-        bank = Bank(*(values.take(column, axis=-1) for values in bank))
-        innovation = kalman.Innovation(*(values.take(column, axis=-1) for values in innovation))
-        corrected = kalman.correct(
-            bank.estimate, bank.covariance, innovation, gamma.astype(float)
-        )  # step b), (4)
-        place = np.cumsum(present) - 1  # of a triple among the distinct ones
-        return Bank(*corrected, bank.trial), Particles(triple & 1, place.take(triple))  # step c)
+    bank = Bank(taken(bank.estimate), taken(bank.covariance), first)
+    innovation = kalman.Innovation(*map(taken, innovation))
+    kalman.correct(bank.estimate, bank.covariance, innovation, arrived[:total])  # step b), (4)
+    return bank, particles  # step c): their columns are numbered anew
 
-    def diagnostics(self, state: State) -> dict[str, np.ndarray]:
-        """Number of distinct triples, (trials,)."""
-        counts = np.bincount(state.bank.trial, minlength=len(state.weights))
-        return {"triples": counts.astype(float)}
 
-    def _first_columns(self) -> int:
-        return 1
-
-    def _of_particles(self, values: np.ndarray, column: np.ndarray) -> np.ndarray:
-        return values.take(column, axis=-1)
+def triples(state: State) -> dict[str, np.ndarray]:
+    """Number of distinct triples, (trials,)."""
+    return {"triples": np.diff(state.bank.first).astype(float)}

@@ -1,6 +1,11 @@
 """Claims of unknown_losses, Sections IV to VI with Figures 1-5 and 8-10."""
 
-from repro.papers.unknown_losses.claims import linear_losses, quadrotor, radar
+from repro.papers.unknown_losses.claims import linear_losses, particles, quadrotor, radar
 from repro.verdicts.claims import Claim
 
-CLAIMS: list[Claim] = [*linear_losses.CLAIMS, *radar.CLAIMS, *quadrotor.CLAIMS]
+CLAIMS: list[Claim] = [
+    *linear_losses.CLAIMS,
+    *particles.CLAIMS,
+    *radar.CLAIMS,
+    *quadrotor.CLAIMS,
+]
