@@ -44,7 +44,7 @@ def test_a_job_whose_run_is_over_publishes_nothing(tmp_path, monkeypatch):
         with atomic_write(result) as part:
             part.write_text(text)
     mark.unlink()
-    with pytest.raises(ReproError, match="not written: the run that began this job is over"):
-        with atomic_write(result) as part:
-            part.write_text("third")
+    fault = "not written: the run that began this job is over"
+    with pytest.raises(ReproError, match=fault), atomic_write(result) as part:
+        part.write_text("third")
     assert result.read_text() == "second" and [*tmp_path.iterdir()] == [result]
