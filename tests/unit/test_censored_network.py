@@ -5,14 +5,17 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from repro.filters.families import protocol_particles
 from repro.kernels import coupled_targets_step
 from repro.models.coupled_targets import SignalStrength, drift
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
 from repro.network.random_access import transmitted, transmitting_group
 from repro.papers.censored_network import claims
 from repro.parameters.load import load_paper
+from repro.parameters.settings import ProtocolParticles
 from repro.parameters.values import ParameterError
 from repro.statistics.runs import Runs
+from repro.streams import Streams
 from repro.studies.deadband import STUDY
 from repro.studies.families.censored_network import sensors
 from tests.conftest import ROOT, points, small_log
@@ -141,6 +144,27 @@ def test_a_target_is_lost_by_position_at_any_step_after_the_first():
     error[3, 3, 5] = 11.0  # a heading
     lost = STUDY.lost(Runs(error, None, np.zeros(4), {}), analysis())
     np.testing.assert_array_equal(lost, [False, False, True, False])
+
+
+@pytest.mark.parametrize(
+    ("build", "draws"), [(protocol_particles.auxiliary, 2), (protocol_particles.bootstrap, 1)]
+)
+def test_readings_that_nothing_explains_are_counted_and_weighted_equally(build, draws, log):
+    filter_ = build(STUDY.model(log.parameters), ProtocolParticles(particles=50))
+    before = filter_.init(Streams(1, "deadband", "filter:test", range(2)))
+    kept = [np.copy(part) for part in before]
+    offered = STUDY.channels(log, slice(0, 2)).at(1, None)
+    probability = offered["group_probability"] * [[[1.0]], [[0.0]]]  # of no group, in trial 1
+    after = filter_.step(before, 1, SimpleNamespace(**offered | {"group_probability": probability}))
+    np.testing.assert_array_equal(filter_.degenerate(after), [0, 3 * draws])
+    np.testing.assert_allclose(after.weights[1], 1 / 50)
+    np.testing.assert_allclose(after.mean[1], after.particles[1].mean(axis=-1))
+    assert np.ptp(after.weights[0]) > 1e-5
+    sizes = (1 / (after.weights**2).sum(axis=-1)).mean(axis=-1)
+    found = filter_.diagnostics(after)["effective_sample_size"]
+    np.testing.assert_allclose(found, sizes)
+    for part, copy in zip(before, kept, strict=True):  # a step leaves the state before as it is
+        np.testing.assert_array_equal(part, copy)
 
 
 def test_every_group_needs_a_probability():
