@@ -15,7 +15,7 @@ from tests.conftest import points
 
 STUDIES = ("deadband", "saturation")
 CODES = {"deadband": (INSIDE,), "saturation": (BELOW, ABOVE)}
-NOISE = 0.8, 1.0, 0.2, 6.0  # weight and deviation of either component
+NOISE = 0.8, 1.0, 0.2, 1 / 6  # weight and reciprocal deviation of either component
 
 
 def known(name, **changes):

@@ -19,7 +19,7 @@ def network(model: CoupledTargets) -> tuple:
     sensors = np.array(model.sensors, dtype=float, order="C")
     at_one, slope = model.strength.of_log_squared_distance()
     share, nominal, glint = (float(value) for value in model.noise)
-    return sensors, at_one, slope, (1.0 - share, nominal, share, glint)
+    return sensors, at_one, slope, (1.0 - share, 1.0 / nominal, share, 1.0 / glint)
 
 
 def reading(model: CoupledTargets, seen: Any, compensated: bool = True) -> tuple:
