@@ -8,7 +8,7 @@ from scipy.integrate import quad
 from scipy.stats import norm
 
 from repro.filters.families import censored_likelihood
-from repro.kernels import coupled_targets_step
+from repro.kernels import censored_likelihood as kernels
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
 from repro.studies.deadband import STUDY
 from tests.conftest import points
@@ -67,9 +67,9 @@ def test_censored_probabilities_as_printed():
     strength = np.linspace(-40, 30, 141)  # where the naive differences keep their digits
     low, high = -10 - strength, 10 - strength
     for function, thresholds, naive in (
-        (coupled_targets_step.between, (-10.0, 10.0), cumulative(high) - cumulative(low)),
-        (coupled_targets_step.below, (-10.0,), cumulative(low)),
-        (coupled_targets_step.above, (10.0,), cumulative(-high)),
+        (kernels.between, (-10.0, 10.0), cumulative(high) - cumulative(low)),
+        (kernels.below, (-10.0,), cumulative(low)),
+        (kernels.above, (10.0,), cumulative(-high)),
     ):
         product = np.ones(len(strength))
         function(strength, *thresholds, NOISE, product)
@@ -78,13 +78,13 @@ def test_censored_probabilities_as_printed():
 
 def test_far_tails_keep_their_digits():
     """In logarithms, and before they underflow without."""
-    log_of_reading = coupled_targets_step.log_of_reading
+    log_of_reading = kernels.log_of_reading
     tail = np.log(0.2) + norm.logsf(110 / 6)
     assert log_of_reading(110.0, 130.0, NOISE) == pytest.approx(tail, abs=1e-6)
     for sign in (1, -1):
         strength, product = np.array([0.0]), np.ones(1)
         bounds = sorted((sign * 110.0, sign * 130.0))
-        coupled_targets_step.between(strength, *bounds, NOISE, product)
+        kernels.between(strength, *bounds, NOISE, product)
         assert log_of_reading(*bounds, NOISE) == pytest.approx(np.log(product[0]), rel=1e-12)
         wide = np.log(0.2) + norm.logpdf(sign * 200, scale=6)
         assert log_of_reading(sign * 200.0, sign * 200.0, NOISE) == pytest.approx(wide, rel=1e-12)
@@ -93,7 +93,7 @@ def test_far_tails_keep_their_digits():
 def test_normal_probability_of_weights():
     t = np.linspace(-37, 37, 4001)
     product = np.ones(len(t))
-    coupled_targets_step.below(-t, 0.0, (1.0, 1.0, 0.0, 1.0), product)
+    kernels.below(-t, 0.0, (1.0, 1.0, 0.0, 1.0), product)
     np.testing.assert_allclose(product, norm.cdf(t), rtol=2e-12)
 
 
@@ -114,7 +114,7 @@ def test_likelihoods_that_underflow_keep_their_order(name):
         parts = tuple(part[0, 0] for part in censored_likelihood.reading(model, seen))
         logs, work = np.empty(200), np.empty((2, 200))
         of_network = censored_likelihood.network(model)
-        coupled_targets_step.log_likelihood(x[0, 0], parts, of_network, work, logs)
+        kernels.log_likelihood(x[0, 0], parts, of_network, work, logs)
         direct = censored_likelihood.likelihood(model, x, seen)[0, 0]
         np.testing.assert_allclose(logs, np.log(direct), rtol=1e-11)
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from repro.filters.families import protocol_particles
-from repro.kernels import coupled_targets_step
+from repro.kernels import censored_likelihood, coupled_targets_step
 from repro.models.coupled_targets import SignalStrength, drift
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
 from repro.network.random_access import transmitted, transmitting_group
@@ -48,14 +48,14 @@ def test_signal_strength_at_known_distances(distance, strength):
     assert law.of_squared_distance(distance**2) == pytest.approx(strength, abs=1e-12)
     x, out = np.array([[3.0 + distance], [4.0], [0.0]]), np.empty(1)
     of_log = law.of_log_squared_distance()
-    coupled_targets_step.strengths(x, np.array([3.0, 4.0]), *of_log, out)
+    censored_likelihood.strengths(x, np.array([3.0, 4.0]), *of_log, out)
     assert out[0] == pytest.approx(strength, abs=1e-12)
 
 
 def test_strength_is_finite_on_a_sensor():
     law, out = SignalStrength(10.0, 2.0, 1.0), np.empty(1)
     of_log = law.of_log_squared_distance()
-    coupled_targets_step.strengths(np.zeros((3, 1)), np.zeros(2), *of_log, out)
+    censored_likelihood.strengths(np.zeros((3, 1)), np.zeros(2), *of_log, out)
     assert out[0] == law.of_squared_distance(0.0) == pytest.approx(190.0)
 
 

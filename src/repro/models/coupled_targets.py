@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from repro.kernels import arrays
-from repro.kernels.coupled_targets_step import FARTHEST_SQUARED, NEAREST_SQUARED
+from repro.kernels.censored_likelihood import FARTHEST_SQUARED, NEAREST_SQUARED
 from repro.models.mixture_noise import MixtureNoise
 from repro.network.censoring import Censoring
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from repro.kernels import coupled_targets_step as kernels
+from repro.kernels import censored_likelihood as kernels
 from repro.models.coupled_targets import CoupledTargets
 from repro.network.censoring import EXACT
 
@@ -41,12 +41,8 @@ def likelihood(
     model: CoupledTargets, particles: np.ndarray, seen: Any, compensated: bool = True
 ) -> np.ndarray:
     """p(y | x), (trials, nodes, particles), up to a factor a node where all would underflow."""
-    result, rows = np.empty((*particles.shape[:2], particles.shape[-1])), particles.shape[-1]
-    kernels.likelihoods(
-        np.ascontiguousarray(particles),
-        reading(model, seen, compensated),
-        network(model),
-        np.empty((kernels.ROWS, rows)),
-        result,
-    )
+    trials, nodes, _, count = particles.shape
+    particles, result = np.ascontiguousarray(particles), np.empty((trials, nodes, count))
+    known = reading(model, seen, compensated), network(model)
+    kernels.likelihoods(particles, *known, np.empty((3, count)), result)
     return result
