@@ -63,16 +63,21 @@ def of_the_library(log: Log, particles: int, trials: int) -> np.ndarray:
 
     class Received(dists.ProbDist):
         def __init__(self, x, t):
-            self.x, self.t = x[None], t
+            self.x, self.t = x, t
 
         def logpdf(self, z):
-            total = 0.0
-            for i, offset in enumerate(parameters.sensor_offsets):
+            total, sends, mean = 0.0, transmission[self.t + 1], parameters.noise_mean
+            gbar, limit = model.saturation
+            for offset, received in zip(parameters.sensor_offsets, z, strict=True):
                 level = ungm.level(self.x, offset)
-                total = total + model.noise.log_likelihood(
-                    z[i : i + 1], level, i, model.saturation, transmission[self.t + 1]
+                clear, clipped = (
+                    np.maximum(received - h, 0.0) for h in (level, np.minimum(level, limit))
                 )
-            return total[0]
+                sent = (1 - gbar) * clear * np.exp(-clear / mean)
+                sent += gbar * clipped * np.exp(-clipped / mean)
+                lost = np.exp(-received / mean) / mean if received >= 0 else 0.0
+                total = total + np.log(sends * sent / mean**2 + (1 - sends) * lost)
+            return total
 
     class Scalar(ssm.StateSpaceModel):
         def PX0(self):  # the library has no step before its first measurement

@@ -7,7 +7,7 @@ from repro import plugins
 from repro.models import ungm
 from repro.network import energy_harvesting
 from repro.runner import run
-from tests.oracle.test_energy_harvesting import BOOTSTRAP, PI_1, log_of
+from tests.oracle.test_energy_harvesting import BOOTSTRAP, PI_1, direct, log_of
 
 GRID = np.arange(-20.0, 70.0, 0.06)
 
@@ -24,6 +24,11 @@ def grid_prior(parameters, trials):
     return np.tile(prior / prior.sum(), (trials, 1))
 
 
+def densities(model):
+    """Of the sum of both noises, and of the channel's alone."""
+    return stats.gamma(2, scale=model.noise.mean).pdf, stats.expon(scale=model.noise.mean).pdf
+
+
 def grid_means(log):
     """Posterior means (trials, steps) under the likelihood (27) on a grid."""
     parameters, z = log.parameters, log.values["/received"]
@@ -34,8 +39,8 @@ def grid_means(log):
         law = law @ transition_matrix(k, parameters.process_noise_scale)
         for i in range(model.sensors):
             level = ungm.level(np.tile(GRID, (len(z), 1)), parameters.sensor_offsets[i])
-            law *= np.exp(
-                model.noise.log_likelihood(z[:, k, i], level, i, model.saturation, transmission[k])
+            law *= direct(
+                *densities(model), z[:, k, i, None], level, model.saturation, transmission[k]
             )
         law /= law.sum(axis=1, keepdims=True)
         means.append(law @ GRID)
@@ -73,8 +78,10 @@ def joint_grid_means(log):
         law = np.einsum("tyab,ac,bd->tycd", law, chain, chain, optimize=True)
         for i, axes in enumerate(((..., slice(None), None), (..., None, slice(None)))):
             level = ungm.level(np.tile(GRID, (len(z), 1)), parameters.sensor_offsets[i])
-            sent = np.exp(model.noise.log_likelihood(z[:, k, i], level, i, model.saturation, 1.0))
-            lost = np.exp(model.noise.log_channel(z[:, k, i]))[:, None]
+            of_sum, of_channel = densities(model)
+            received = z[:, k, i, None]
+            sent = direct(of_sum, of_channel, received, level, model.saturation, 1.0)
+            lost = of_channel(received)
             likelihood = np.where(empty, lost[:, :, None], sent[:, :, None])
             law = law * likelihood[axes]
         law /= law.sum(axis=(1, 2, 3), keepdims=True)

@@ -5,13 +5,17 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from repro.models.coupled_targets import SignalStrength, drift, log_squared_distance
+from repro.filters.families import protocol_particles
+from repro.kernels import censored_likelihood, coupled_targets_step
+from repro.models.coupled_targets import SignalStrength, drift
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
 from repro.network.random_access import transmitted, transmitting_group
 from repro.papers.censored_network import claims
 from repro.parameters.load import load_paper
+from repro.parameters.settings import ProtocolParticles
 from repro.parameters.values import ParameterError
 from repro.statistics.runs import Runs
+from repro.streams import Streams
 from repro.studies.deadband import STUDY
 from repro.studies.families.censored_network import sensors
 from tests.conftest import ROOT, points, small_log
@@ -40,27 +44,32 @@ def test_group_transmits_its_own_readings():
 
 @pytest.mark.parametrize(("distance", "strength"), [(1.0, 10.0), (10.0, -10.0), (100.0, -30.0)])
 def test_signal_strength_at_known_distances(distance, strength):
-    a, b = SignalStrength(10.0, 2.0, 1.0).of_log_squared_distance()
-    x = np.array([3.0 + distance, 4.0, 0.0])[:, None]
-    log_d2 = log_squared_distance(x, np.array([[3.0, 4.0]]))[0, 0]
-    assert a + b * log_d2 == pytest.approx(strength, abs=1e-12)
+    law = SignalStrength(10.0, 2.0, 1.0)
+    assert law.of_squared_distance(distance**2) == pytest.approx(strength, abs=1e-12)
+    x, out = np.array([[3.0 + distance], [4.0], [0.0]]), np.empty(1)
+    of_log = law.of_log_squared_distance()
+    censored_likelihood.strengths(x, np.array([3.0, 4.0]), *of_log, out)
+    assert out[0] == pytest.approx(strength, abs=1e-12)
 
 
 def test_strength_is_finite_on_a_sensor():
-    assert np.isfinite(log_squared_distance(np.zeros((3, 1)), np.zeros((1, 2)))).all()
+    law, out = SignalStrength(10.0, 2.0, 1.0), np.empty(1)
+    of_log = law.of_log_squared_distance()
+    censored_likelihood.strengths(np.zeros((3, 1)), np.zeros(2), *of_log, out)
+    assert out[0] == law.of_squared_distance(0.0) == pytest.approx(190.0)
 
 
 def test_drift_is_speed_along_the_heading():
     rng = np.random.default_rng(0)
-    x = rng.normal(scale=[[5.0], [5.0], [20.0]], size=(3, 3, 50))
+    x = rng.normal(scale=[5.0, 5.0, 20.0], size=(50, 3, 3))
     speed = np.array([0.5, 1.0, 2.0])
-    wanted = x + np.stack(
-        [speed[:, None] * np.cos(x[:, 2]), speed[:, None] * np.sin(x[:, 2]), np.full((3, 50), 0.1)],
-        axis=1,
-    )
+    px, py, phi = np.moveaxis(x, -1, 0)
+    wanted = np.stack([px + speed * np.cos(phi), py + speed * np.sin(phi), phi + 0.1], axis=-1)
     np.testing.assert_allclose(drift(x, speed, 0.1), wanted, rtol=0, atol=1e-13)
-    half_turn = drift(np.array([[0.0], [0.0], [np.pi]])[None], np.ones(1), 0.0)
-    np.testing.assert_allclose(half_turn[0, :, 0], [-1, 0, np.pi], atol=1e-15)
+    motion, moved = (speed, 0.1, np.zeros(3), np.zeros((3, 3)), 0.0, True), np.empty((3, 50))
+    for node in range(3):
+        coupled_targets_step.drift(np.ascontiguousarray(x[:, node].T), node, motion, moved)
+        np.testing.assert_allclose(moved.T, wanted[:, node], rtol=0, atol=1e-13)
 
 
 @pytest.fixture(scope="module")
@@ -135,6 +144,27 @@ def test_a_target_is_lost_by_position_at_any_step_after_the_first():
     error[3, 3, 5] = 11.0  # a heading
     lost = STUDY.lost(Runs(error, None, np.zeros(4), {}), analysis())
     np.testing.assert_array_equal(lost, [False, False, True, False])
+
+
+@pytest.mark.parametrize(
+    ("build", "draws"), [(protocol_particles.auxiliary, 2), (protocol_particles.bootstrap, 1)]
+)
+def test_readings_that_nothing_explains_are_counted_and_weighted_equally(build, draws, log):
+    filter_ = build(STUDY.model(log.parameters), ProtocolParticles(particles=50))
+    before = filter_.init(Streams(1, "deadband", "filter:test", range(2)))
+    kept = [np.copy(part) for part in before]
+    offered = STUDY.channels(log, slice(0, 2)).at(1, None)
+    probability = offered["group_probability"] * [[[1.0]], [[0.0]]]  # of no group, in trial 1
+    after = filter_.step(before, 1, SimpleNamespace(**offered | {"group_probability": probability}))
+    np.testing.assert_array_equal(filter_.degenerate(after), [0, 3 * draws])
+    np.testing.assert_allclose(after.weights[1], 1 / 50)
+    np.testing.assert_allclose(after.mean[1], after.particles[1].mean(axis=-1))
+    assert np.ptp(after.weights[0]) > 1e-5
+    sizes = (1 / (after.weights**2).sum(axis=-1)).mean(axis=-1)
+    found = filter_.diagnostics(after)["effective_sample_size"]
+    np.testing.assert_allclose(found, sizes)
+    for part, copy in zip(before, kept, strict=True):  # a step leaves the state before as it is
+        np.testing.assert_array_equal(part, copy)
 
 
 def test_every_group_needs_a_probability():

@@ -16,24 +16,27 @@ from repro.models.sensor_network import ExponentialNoise, GaussianNoise, SensorN
 from repro.models.ungm import Growth
 from repro.network.saturation import Saturation
 from repro.parameters.settings import Bootstrap
+from repro.runner import run
 from repro.streams import Streams
+from tests.conftest import small_log
 
 TRIALS, STEPS = 3, 20
-WANTED = "2bcbd25ff1a8ac6f56b4b1ed262cd4ed"
+WANTED = "cb3b57eaaa96461c2749b53259d84845"
+SIMULATED = (("deadband", "mapf"), ("saturation", "mpf"), ("ungm", "pf_ross_eh_joint"))
 ENVIRONMENTS = {
     "generic": {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""},
     "haswell": {"NUMBA_CPU_NAME": "haswell", "NUMBA_CPU_FEATURES": "+avx2,+fma,+bmi,+bmi2"},
     "this machine": {},
     "other libraries": {
         "OPENBLAS_CORETYPE": "Nehalem",
-        "NPY_DISABLE_CPU_FEATURES": "AVX2 FMA3",
+        "NPY_DISABLE_CPU_FEATURES": "X86_V3 X86_V4 AVX512_ICL AVX512_SPR",
         "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F",
     },
 }
 
 
 def digest() -> str:
-    """Of functions, random numbers, and both filters."""
+    """Of functions, random numbers, filters, and simulated logs."""
     total = hashlib.sha256()
     keys = Streams(5, "bits", "filter:test", range(TRIALS)).keys()
     values = np.empty((TRIALS, 4000))
@@ -48,6 +51,11 @@ def digest() -> str:
     for model in (growth(), signal_strength()):
         for scheme in ("systematic", "multinomial"):
             total.update(estimates(model, scheme).tobytes())
+    for study, name in SIMULATED:
+        log = small_log(study, "base")
+        for values in log.values.values():
+            total.update(values.tobytes())
+        total.update(run(log, name, {"particles": 103})[0].tobytes())
     return total.hexdigest()
 
 
@@ -58,10 +66,9 @@ def growth() -> SensorNetwork:
         steps=STEPS,
         draw_prior=lambda streams, particles: streams.standard_normal(1, particles),
         move=None,
-        level=None,
+        plant=Growth(2.0, (0.1, -0.1)),
         noise=ExponentialNoise(2.0, 2),
         saturation=Saturation(0.5, 10.0),
-        plant=Growth(2.0, (0.1, -0.1)),
     )
 
 
@@ -72,7 +79,6 @@ def signal_strength() -> SensorNetwork:
         steps=STEPS,
         draw_prior=lambda streams, particles: streams.standard_normal(4, particles),
         move=None,
-        level=None,
         noise=GaussianNoise(np.array([0.1, 0.1]), 0.001),
         saturation=Saturation(0.2, 30.0),
         plant=SignalStrength(

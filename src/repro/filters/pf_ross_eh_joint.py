@@ -10,8 +10,10 @@ from typing import NamedTuple
 import numpy as np
 
 from repro.filters import Filter
-from repro.filters.families import particle_filter, ross_eh
+from repro.filters.families import ross_eh
+from repro.kernels import joint_energy_step as kernels
 from repro.models.sensor_network import SensorNetwork
+from repro.models.ungm import Growth
 from repro.network.channels import Seen
 from repro.network.energy_harvesting import initial_joint, joint_chain, joint_transition
 from repro.parameters.settings import JointBootstrap
@@ -23,8 +25,12 @@ STREAM = ross_eh.STREAM
 
 
 class State(NamedTuple):
-    cloud: particle_filter.Cloud
-    belief: np.ndarray  # law of (E, H) by sensor and particle, (trials, sensors, pairs, particles)
+    particles: np.ndarray  # (trials, n, particles)
+    weights: np.ndarray  # (trials, particles), each row sums to one
+    laws: np.ndarray  # of (E, H) by sensor and particle, (trials, sensors, pairs, particles)
+    mean: np.ndarray  # sum of w x, (trials, n)
+    degenerate: np.ndarray  # updates so far that no particle explained, (trials,)
+    keys: np.ndarray  # of the trials' random numbers, (trials,)
 
 
 def build(model: SensorNetwork, settings: JointBootstrap) -> Filter:
@@ -35,40 +41,36 @@ def build(model: SensorNetwork, settings: JointBootstrap) -> Filter:
     visited = joint_chain(model.energy, model.steps).any(axis=0).ravel()
     chain, start = chain[np.ix_(visited, visited)], start[visited]
     empty = np.nonzero(visited)[0] < len(model.energy.harvest_transition)  # E = 0
+    noise, network = ross_eh.noises(model), ross_eh.network(1.0, model.saturation)
+    scheme, plant = ross_eh.SCHEMES[settings.resampling], ross_eh.plant_at(model.plant)
+    kernel = kernels.growth if isinstance(model.plant, Growth) else kernels.signal_strength
+    count = settings.particles
 
     def init(streams: Streams) -> State:
-        particles = model.draw_prior(streams, settings.particles)
-        shape = (len(streams), model.sensors, len(start), settings.particles)
-        belief = np.broadcast_to(start[:, None], shape)
-        return State(particle_filter.equally_weighted(particles, streams), belief)
+        shape = (len(streams), model.sensors, len(start), count)
+        laws = np.broadcast_to(start[:, None], shape).copy()
+        first = ross_eh.prior(model, streams, count)
+        return State(first.particles, first.weights, laws, *first[2:])
 
     def step(state: State, k: int, seen: Seen) -> State:
-        cloud, z = state.cloud, seen.received
-        chosen = particle_filter.parents(cloud.weights, cloud.streams, settings.resampling)
-        particles = model.move(particle_filter.taken(cloud.particles, chosen), k, cloud.streams)
-        belief = np.take_along_axis(state.belief, chosen[:, None, None, :], axis=-1)
-        belief = chain.T @ belief
-        total = np.zeros(chosen.shape)
-        for i in range(model.sensors):
-            level = model.level(particles, i)
-            sent = model.noise.log_likelihood(z[:, i], level, i, model.saturation, transmission=1.0)
-            lost = model.noise.log_channel(z[:, i])[:, None]
-            largest = np.maximum(sent, lost)
-            likelihood = np.where(
-                empty[:, None], np.exp(lost - largest)[:, None], np.exp(sent - largest)[:, None]
-            )
-            updated = belief[:, i] * likelihood
-            given = updated.sum(axis=1)  # p(z^i | x(0..k), Z(1..k-1)), scaled
-            explained = given > 0
-            with np.errstate(divide="ignore"):
-                total += np.log(given) + largest
-            updated /= np.where(explained, given, 1.0)[:, None]
-            belief[:, i] = np.where(explained[:, None], updated, belief[:, i])
-        return State(particle_filter.weighted(particles, total, cloud), belief)
+        z = np.array(seen.received, dtype=float, order="C")
+        after = State(
+            np.empty_like(state.particles),
+            np.empty_like(state.weights),
+            np.empty_like(state.laws),
+            np.empty_like(state.mean),
+            state.degenerate.copy(),
+            state.keys,
+        )
+        known = plant(k), noise, network, (chain, empty), scheme
+        rows = np.empty((model.sensors + len(start) + kernels.ROWS, count))
+        scratch = *ross_eh.drawn(model, count), rows
+        kernel(state.keys, k, z, *known, state[:4], after[:5], scratch)
+        return after
 
     return Filter(
         init,
         step,
-        mean=lambda state: state.cloud.mean,
-        degenerate=lambda state: state.cloud.degenerate,
+        mean=lambda state: state.mean,
+        degenerate=lambda state: state.degenerate,
     )

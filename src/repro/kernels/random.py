@@ -12,7 +12,7 @@ from repro.kernels.compiled import kernel, scalar
 from repro.kernels.elementary import TWO_52, log_of_normal, sine_cosine_of_turns, with_bits
 
 # What a number is drawn for: the third word of the counter.
-PRIOR, RESAMPLING, MOTION, FIRST_STAGE, ARRIVALS = range(5)
+PRIOR, RESAMPLING, MOTION, FIRST_STAGE, ARRIVALS, COUPLING, FIRST_COUPLING = range(7)
 
 LOW = np.uint64(0xFFFFFFFF)
 HALF = np.uint64(32)

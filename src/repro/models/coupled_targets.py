@@ -1,18 +1,17 @@
 """Randomly coupled targets and their signal-strength sensors [censored_network (23), (24)].
 
 State of a target: (px, py, phi) in m, m, rad; phi is not wrapped. Speed and turn rate are per
-step. Clouds keep components before particles, (..., nodes, 3, particles).
+step.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
+from repro.kernels import arrays
+from repro.kernels.censored_likelihood import FARTHEST_SQUARED, NEAREST_SQUARED
 from repro.models.mixture_noise import MixtureNoise
 from repro.network.censoring import Censoring
-
-# Distances are clipped to 1e-9 ... 1e9 m, so that every signal strength is finite.
-SQUARED_DISTANCE = (1e-18, 1e18)
 
 
 class SignalStrength(NamedTuple):
@@ -24,14 +23,13 @@ class SignalStrength(NamedTuple):
 
     def of_log_squared_distance(self) -> tuple[float, float]:
         """(a, b) with strength = a + b log(d^2); log is natural and d in m."""
-        slope = -5.0 * self.path_loss_exponent / np.log(10.0)
-        return self.at_reference - slope * np.log(self.reference_distance**2), slope
+        slope = -5.0 * self.path_loss_exponent / arrays.log(10.0)
+        return self.at_reference - 2.0 * slope * arrays.log(self.reference_distance), slope
 
-    def range(self) -> tuple[float, float]:
-        """The smallest and the largest strength, which the clipped distances give."""
+    def of_squared_distance(self, squared: np.ndarray) -> np.ndarray:
+        """Strength in dB from d^2 in m^2, any shape; finite also on a sensor."""
         a, b = self.of_log_squared_distance()
-        first, second = (float(a + b * np.log(d2)) for d2 in SQUARED_DISTANCE)
-        return min(first, second), max(first, second)
+        return a + b * arrays.log(np.clip(squared, NEAREST_SQUARED, FARTHEST_SQUARED))
 
 
 class CoupledTargets(NamedTuple):
@@ -53,23 +51,11 @@ class CoupledTargets(NamedTuple):
 def drift(x: np.ndarray, speed: np.ndarray, turn_rate: float) -> np.ndarray:
     """f of [censored_network (23)]: one step of uncoupled targets without noise.
 
-    x (..., nodes, 3, particles), speed (nodes,).
+    x (..., nodes, 3), speed (nodes,).
     """
-    # Cosine and sine from one tangent of the half angle, at a sixteenth of their cost.
-    half = x[..., 2, :] * 0.5
-    tangent = np.tan(half, out=half)
-    scale = tangent * tangent
-    along = 1.0 - scale
-    scale += 1.0
-    np.divide(speed[:, None], scale, out=scale)
-    along *= scale
-    tangent *= scale
-    tangent += tangent
-    moved = np.empty_like(x)
-    np.add(x[..., 0, :], along, out=moved[..., 0, :])
-    np.add(x[..., 1, :], tangent, out=moved[..., 1, :])
-    np.add(x[..., 2, :], turn_rate, out=moved[..., 2, :])
-    return moved
+    px, py, phi = x[..., 0], x[..., 1], x[..., 2]
+    moved = px + speed * arrays.cos(phi), py + speed * arrays.sin(phi), phi + turn_rate
+    return np.stack(moved, axis=-1)
 
 
 def pull(states: np.ndarray, coupling: np.ndarray) -> np.ndarray:
@@ -77,18 +63,4 @@ def pull(states: np.ndarray, coupling: np.ndarray) -> np.ndarray:
 
     states (..., nodes, 3), coupling (nodes, nodes).
     """
-    return coupling @ np.sin(states)
-
-
-def log_squared_distance(x: np.ndarray, sensors: np.ndarray) -> np.ndarray:
-    """log(d^2) from each particle to each sensor, (..., nodes, sensors, particles).
-
-    x (..., nodes, 3, particles); sensors (sensors, 2) in m.
-    """
-    squared = x[..., 0:1, :] - sensors[:, 0, None]
-    squared *= squared
-    across = x[..., 1:2, :] - sensors[:, 1, None]
-    across *= across
-    squared += across
-    np.clip(squared, *SQUARED_DISTANCE, out=squared)
-    return np.log(squared, out=squared)
+    return (coupling[:, :, None] * arrays.sin(states)[..., None, :, :]).sum(axis=-2)

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-SQUARED_DISTANCE_FLOOR = 1e-12  # m^2: a target on its sensor has a finite level
+from repro.kernels import arrays
+from repro.kernels.sensor_network_step import SQUARED_DISTANCE_FLOOR
 
 
 class SignalStrength(NamedTuple):
@@ -23,39 +24,27 @@ class SignalStrength(NamedTuple):
 
 def process_root(time: float, acceleration_variance: float) -> np.ndarray:
     """Lower Cholesky factor of Q for one axis, (2, 2) (31)."""
-    q = [[time**3 / 3, time**2 / 2], [time**2 / 2, time]]
-    return np.linalg.cholesky(acceleration_variance * np.array(q))
+    scale = np.sqrt(acceleration_variance * time)
+    return scale * np.array([[time / np.sqrt(3.0), 0.0], [np.sqrt(3.0) / 2.0, 0.5]])
 
 
 def move(x: np.ndarray, noise: np.ndarray, time: float, root: np.ndarray) -> np.ndarray:
-    """x(k+1), written over x; states and standard normals are (trials, n, ...) (30).
-
-    The normals are overwritten, too.
-    """
+    """x(k+1) from states and standard normals, (trials, n) each (30)."""
     position, velocity = x[:, 0::2], x[:, 1::2]
     first, second = noise[:, 0::2], noise[:, 1::2]
-    position += time * velocity
-    position += root[0, 0] * first
-    first *= root[1, 0]
-    second *= root[1, 1]
-    velocity += first
-    velocity += second
-    return x
+    following = np.empty_like(x)
+    following[:, 0::2] = position + time * velocity + root[0, 0] * first
+    following[:, 1::2] = velocity + root[1, 0] * first + root[1, 1] * second
+    return following
 
 
 def level(
     x: np.ndarray, sensor: np.ndarray, power: float, exponent: float, reference: float
 ) -> np.ndarray:
     """h^i(x) in dBm, (trials, ...), from states (trials, n, ...) and a position (axes,) (32)."""
-    squared = x[:, 0] - sensor[0]
-    squared *= squared
-    for axis in range(1, len(sensor)):
-        offset = x[:, 2 * axis] - sensor[axis]
-        offset *= offset
-        squared += offset
-    np.maximum(squared, SQUARED_DISTANCE_FLOOR, out=squared)
+    squared = np.zeros(x[:, 0].shape)
+    for axis in range(len(sensor)):
+        squared += (x[:, 2 * axis] - sensor[axis]) ** 2
     # 10 n_r log10(d/d0) = 5 n_r log10(d^2/d0^2): no square root
-    np.log(squared, out=squared)
-    squared *= -5 * exponent / np.log(10)
-    squared += power + 10 * exponent * np.log10(reference)
-    return squared
+    of_distance = arrays.log10(np.maximum(squared, SQUARED_DISTANCE_FLOOR))
+    return power + 10 * exponent * arrays.log10(reference) - 5 * exponent * of_distance

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from repro.kernels import arrays
 from repro.streams import Streams
 
 
@@ -21,7 +22,7 @@ def transition(x: np.ndarray, k: int) -> np.ndarray:
     np.divide(25.0, following, out=following)
     following += 0.5
     following *= x
-    following += 8.0 * np.cos(1.2 * k)
+    following += 8.0 * arrays.cos(1.2 * k)
     return following
 
 
@@ -29,11 +30,7 @@ def gamma_noise(streams: Streams, scale: float, *shape: int) -> np.ndarray:
     """Gamma noise of shape two, (trials, *shape): the sum of two exponentials by inversion."""
     drawn = streams.uniform(2, *shape)
     np.subtract(1.0, drawn, out=drawn)  # in (0, 1], so that the logarithm is finite
-    noise = drawn[:, 0]
-    noise *= drawn[:, 1]
-    np.log(noise, out=noise)
-    noise *= -scale
-    return noise
+    return -scale * arrays.log(drawn[:, 0] * drawn[:, 1])
 
 
 def level(x: np.ndarray, offset: float) -> np.ndarray:

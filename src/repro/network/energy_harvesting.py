@@ -28,9 +28,13 @@ def initial_harvest(law: str, transition: np.ndarray) -> np.ndarray:
         return np.full(units, 1 / units)
     if law in ("zero", "full"):
         return np.eye(units)[0 if law == "zero" else -1]
-    # pi (Pi - I) = 0 with sum pi = 1
-    system = np.vstack([transition.T - np.eye(units), np.ones(units)])
-    return np.linalg.lstsq(system, np.append(np.zeros(units), 1.0))[0]
+    # Where a uniform law tends to if H stays as it is at every other step, which changes no
+    # stationary law and lets also a periodic chain converge.
+    many_steps = (transition + np.eye(units)) / 2
+    for _ in range(64):
+        many_steps = (many_steps[:, :, None] * many_steps).sum(axis=1)
+        many_steps /= many_steps.sum(axis=1, keepdims=True)
+    return many_steps.mean(axis=0)
 
 
 def harvest(uniforms: np.ndarray, queue: EnergyQueue) -> np.ndarray:
@@ -71,13 +75,13 @@ def lemma_1(queue: EnergyQueue, steps: int) -> np.ndarray:
     law[:harvests] = queue.initial_harvest
     tau[0, queue.initial_energy] = 1.0
     for k in range(1, steps + 1):
-        law[:harvests] = law[:harvests] @ queue.harvest_transition  # p(k) of (24), (25)
+        law[:harvests] = _next_law(law[:harvests], queue.harvest_transition)  # p(k) of (24), (25)
         s = np.zeros((top + 1, top + 1))
         for held in range(top + 1):
             left = max(held - 1, 0)
             s[left:top, held] = law[: top - left]
             s[top, held] = -s[:top, held].sum()
-        tau[k] = chi + s @ tau[k - 1]  # (24)
+        tau[k] = chi + (s * tau[k - 1]).sum(axis=1)  # (24)
     return tau
 
 
@@ -105,9 +109,14 @@ def joint_chain(queue: EnergyQueue, steps: int) -> np.ndarray:
     chain, law = joint_transition(queue), initial_joint(queue)
     laws = [law]
     for _ in range(steps):
-        law = law @ chain
+        law = _next_law(law, chain)
         laws.append(law)
     return np.stack(laws).reshape(steps + 1, queue.capacity + 1, -1)
+
+
+def _next_law(law: np.ndarray, transition: np.ndarray) -> np.ndarray:
+    """Law of a Markov chain one step later; in NumPy's own sums, as those of BLAS vary by CPU."""
+    return (law[:, None] * transition).sum(axis=0)
 
 
 def transmission_probability(queue: EnergyQueue, steps: int, rule: TransmissionRule) -> np.ndarray:

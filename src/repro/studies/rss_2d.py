@@ -3,6 +3,7 @@
 import numpy as np
 from pydantic import Field
 
+from repro.kernels import arrays
 from repro.models.sensor_network import SensorNetwork
 from repro.parameters.values import Pair, Positive
 from repro.streams import Streams
@@ -50,7 +51,7 @@ class Rss2d(SignalStrengthStudy):
 
     def model(self, parameters: Parameters) -> SensorNetwork:
         x, v_x, y, v_y = parameters.true_initial_state
-        speed, azimuth = np.hypot(v_x, v_y), np.arctan2(v_y, v_x)
+        speed, azimuth = arrays.hypot(v_x, v_y), arrays.arctan2(v_y, v_x)
 
         def draw_prior(streams: Streams, particles: int) -> np.ndarray:
             drawn = streams.standard_normal(4, particles)
@@ -59,8 +60,8 @@ class Rss2d(SignalStrengthStudy):
             deviation = np.sqrt(parameters.prior_position_variance)
             drawn[:, 0] = x + deviation * drawn[:, 0]
             drawn[:, 2] = y + deviation * drawn[:, 2]
-            drawn[:, 1] = speeds * np.cos(azimuths)
-            drawn[:, 3] = speeds * np.sin(azimuths)
+            drawn[:, 1] = speeds * arrays.cos(azimuths)
+            drawn[:, 3] = speeds * arrays.sin(azimuths)
             return drawn
 
         return signal_strength.model(parameters, draw_prior)

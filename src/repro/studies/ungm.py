@@ -82,11 +82,10 @@ class Ungm(HarvestingStudy):
             steps=parameters.steps,
             draw_prior=draw_prior,
             move=move,
-            level=lambda x, i: ungm.level(x[:, 0], offsets[i]),
+            plant=ungm.Growth(parameters.process_noise_scale, offsets),
             noise=noise(parameters),
             saturation=harvesting_sensors.saturation_of(parameters),
             energy=harvesting_sensors.queue(parameters),
-            plant=ungm.Growth(parameters.process_noise_scale, offsets),
         )
 
 

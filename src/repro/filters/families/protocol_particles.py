@@ -6,51 +6,31 @@ the coupling is drawn, whether the likelihood accounts for the censoring, and wh
 chosen with the new measurement (auxiliary) or without it (bootstrap).
 """
 
-from typing import Any, Literal, NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from repro.filters import Filter
-from repro.filters.families import censored_likelihood, particle_filter
-from repro.models.coupled_targets import CoupledTargets, drift, pull
+from repro.filters.families import censored_likelihood
+from repro.kernels import coupled_targets_step as kernels
+from repro.kernels.sensor_network_step import MULTINOMIAL, SYSTEMATIC
+from repro.models.coupled_targets import CoupledTargets
 from repro.parameters.settings import ProtocolParticles
 from repro.streams import Streams
 
+SCHEMES = {"systematic": SYSTEMATIC, "multinomial": MULTINOMIAL}
 
-class Draws(NamedTuple):
-    """The random draws of a filter: its prior, and the mixture [censored_network (12)]."""
 
-    model: CoupledTargets
-    particles: int  # D
-    coupled: bool  # False (NC) drops the coupling but draws the same random numbers
-    drawn_per: Literal["particle", "step"]  # "step": one Bernoulli variable for all particles
+class Cloud(NamedTuple):
+    """Weighted particles of the nodes of each trial, and what is estimated from them."""
 
-    def initial(self, streams: Streams) -> np.ndarray:
-        """Particles of the prior, (trials, nodes, 3, D)."""
-        mean = self.model.initial_mean.reshape(-1, 3)
-        root = np.diag(self.model.initial_deviation)
-        return particle_filter.gaussian(streams, mean, root, self.particles)
-
-    def drift(self, particles: np.ndarray, k: int) -> np.ndarray:
-        """f(x) of every particle."""
-        return drift(particles, self.model.speed, self.model.turn_rate)
-
-    def transition(self, particles: np.ndarray, cloud: particle_filter.Cloud, k: int) -> np.ndarray:
-        """A draw of (12) for each particle."""
-        return self.mixture(self.drift(particles, k), cloud, k)
-
-    def mixture(self, moved: np.ndarray, cloud: particle_filter.Cloud, k: int) -> np.ndarray:
-        """A draw of (12) from f(x) (trials, nodes, 3, D), coupled to the estimates of step k."""
-        _, nodes, components, count = moved.shape
-        drawn = particle_filter.standard_normal(cloud.streams, nodes, components, count)
-        drawn *= self.model.process_deviation[:, None]
-        drawn += moved
-        draws = count if self.drawn_per == "particle" else 1
-        on = cloud.streams.uniform(nodes, draws) < self.model.coupling_rate
-        if self.coupled:
-            push = pull(cloud.mean, self.model.coupling)
-            drawn += on[:, :, None] * push[..., None]
-        return drawn
+    particles: np.ndarray  # (trials, nodes, 3, particles)
+    weights: np.ndarray  # (trials, nodes, particles), each row sums to one
+    mean: np.ndarray  # sum of w x, (trials, nodes, 3)
+    effective_sample_size: np.ndarray  # mean of the nodes, (trials,)
+    degenerate: np.ndarray  # updates so far that no particle explained, (trials,)
+    keys: np.ndarray  # of the trials' random numbers, (trials,)
 
 
 def auxiliary(
@@ -59,41 +39,93 @@ def auxiliary(
     coupled: bool = True,
     compensated: bool = True,
 ) -> Filter:
-    """[censored_network Algorithm 1] with the weights (22)."""
-    draws = _draws(model, settings, coupled)
-    return particle_filter.auxiliary(
-        draws.initial,
-        draws.drift,
-        draws.mixture,
-        censored_likelihood.build(model, compensated),
-        settings.resampling,
-    )
+    """[censored_network Algorithm 1] with the weights (22); uncoupled, with the same draws."""
+    if not coupled:
+        model = model._replace(coupling=np.zeros_like(model.coupling))
+    return _with_measurements(kernels.auxiliary, model, settings, compensated)
 
 
 def bootstrap(model: CoupledTargets, settings: ProtocolParticles) -> Filter:
     """The same draws and likelihood with standard resampling."""
-    draws = _draws(model, settings)
-    return particle_filter.bootstrap(
-        draws.initial,
-        draws.transition,
-        censored_likelihood.build(model),
-        settings.resampling,
-    )
+    return _with_measurements(kernels.bootstrap, model, settings, True)
 
 
 def dead_reckoning(model: CoupledTargets, settings: ProtocolParticles) -> Filter:
     """The same draws without a measurement."""
-    draws = _draws(model, settings)
+    motion = _motion(model, settings)
 
-    def init(streams: Streams) -> particle_filter.Cloud:
-        return particle_filter.equally_weighted(draws.initial(streams), streams)
+    def advance(k: int, seen: Any, keys: np.ndarray, clouds: tuple, scratch: tuple) -> None:
+        kernels.dead_reckoning(keys, k, motion, *clouds, scratch)
 
-    def step(cloud: particle_filter.Cloud, k: int, seen: Any) -> particle_filter.Cloud:
-        particles = draws.transition(cloud.particles, cloud, k)
-        return cloud._replace(particles=particles, mean=particles.mean(axis=-1))
-
-    return particle_filter.as_filter(init, step)
+    return _filter(advance, model, settings)
 
 
-def _draws(model: CoupledTargets, settings: ProtocolParticles, coupled: bool = True) -> Draws:
-    return Draws(model, settings.particles, coupled, settings.coupling_drawn_per)
+def prior(model: CoupledTargets, streams: Streams, particles: int) -> np.ndarray:
+    """Particles of p(x(0)), (trials, nodes, 3, particles)."""
+    mean = model.initial_mean.reshape(-1, 3)
+    drawn = streams.standard_normal(*mean.shape, particles)
+    return mean[:, :, None] + model.initial_deviation[:, None] * drawn
+
+
+def _with_measurements(
+    kernel: Callable, model: CoupledTargets, settings: ProtocolParticles, compensated: bool
+) -> Filter:
+    motion, network = _motion(model, settings), censored_likelihood.network(model)
+    scheme = SCHEMES[settings.resampling]
+
+    def advance(k: int, seen: Any, keys: np.ndarray, clouds: tuple, scratch: tuple) -> None:
+        reading = censored_likelihood.reading(model, seen, compensated)
+        kernel(keys, k, reading, motion, network, scheme, *clouds, scratch)
+
+    return _filter(advance, model, settings)
+
+
+def _motion(model: CoupledTargets, settings: ProtocolParticles) -> tuple:
+    """As the kernels have it."""
+    return (
+        np.array(model.speed, dtype=float),
+        float(model.turn_rate),
+        np.array(model.process_deviation, dtype=float),
+        np.array(model.coupling, dtype=float, order="C"),
+        float(model.coupling_rate),
+        settings.coupling_drawn_per == "particle",
+    )
+
+
+def _filter(advance: Callable, model: CoupledTargets, settings: ProtocolParticles) -> Filter:
+    """The filter whose kernel `advance` writes the cloud of step k over that of step k - 1."""
+    count = settings.particles
+
+    def init(streams: Streams) -> Cloud:
+        particles = prior(model, streams, count)
+        trials, nodes, _, _ = particles.shape
+        return Cloud(
+            particles,
+            weights=np.full((trials, nodes, count), 1.0 / count),
+            mean=particles.mean(axis=-1),
+            effective_sample_size=np.full(trials, float(count)),
+            degenerate=np.zeros(trials),
+            keys=streams.keys(),
+        )
+
+    def step(cloud: Cloud, k: int, seen: Any) -> Cloud:
+        after = Cloud(
+            np.empty_like(cloud.particles),
+            cloud.weights.copy(),
+            np.empty_like(cloud.mean),
+            cloud.effective_sample_size.copy(),
+            cloud.degenerate.copy(),
+            cloud.keys,
+        )
+        drawn = np.empty(kernels.drawn_length(count))
+        scratch = np.empty(count, dtype=np.int64), drawn, np.empty((kernels.ROWS, count))
+        advance(k, seen, cloud.keys, (cloud[:5], after[:5]), scratch)
+        return after
+
+    return Filter(
+        init,
+        step,
+        mean=lambda cloud: cloud.mean.reshape(len(cloud.mean), -1),
+        degenerate=lambda cloud: cloud.degenerate,
+        diagnostics=lambda cloud: {"effective_sample_size": cloud.effective_sample_size},
+    )

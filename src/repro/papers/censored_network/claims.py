@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from repro.filters.families import censored_likelihood, protocol_particles
+from repro.kernels import arrays
 from repro.network.censoring import Censoring, censored
 from repro.papers.censored_network.time_averages import CENSORING, POINT, TimeAverage, time_average
 from repro.parameters.settings import ProtocolParticles
@@ -61,7 +62,7 @@ def ratios_as_published(results: Results, filter_: str) -> list[Part]:
         published, runs = published_ratio(study, filter_)
         ours, error = ratio_to_mapf(results, study, filter_)
         trials = results.in_shards(study, POINT, filter_).trials
-        allowed = results.tolerance * error * np.hypot(1, np.sqrt(trials / runs))
+        allowed = results.tolerance * error * np.sqrt(1 + trials / runs)
         comparison = f"{words}: {ours:.3f} ± {error:.3f}, published {published}: distance"
         parts.append(below(comparison, abs(ours - published), float(allowed)))
     return parts
@@ -163,7 +164,7 @@ def saturation_costlier_than_dead_band(results: Results) -> list[Part]:
         ratio_to_mapf(results, study, "mapf_nmc") for study in ("deadband", "saturation")
     )
     comparison = f"NMC/MAPF: {factor:g} times that of the dead band - that of saturation"
-    return [Part(comparison, factor * dead_band - saturation, float(np.hypot(factor * a, b)))]
+    return [Part(comparison, factor * dead_band - saturation, _of_both(factor * a, b))]
 
 
 @claim(
@@ -187,15 +188,20 @@ def saturation_below_dead_band(results: Results) -> list[Part]:
         dead_band, saturation = (
             time_average(results, study, filter_) for study in ("deadband", "saturation")
         )
-        error = np.hypot(_error_of_average(dead_band), _error_of_average(saturation))
+        error = _of_both(_error_of_average(dead_band), _error_of_average(saturation))
         words = "saturation - dead band" if sign > 0 else "dead band - saturation"
         gap = sign * (saturation.value - dead_band.value)[-1]
-        parts.append(Part(f"{filter_}: {words}", float(gap), float(error)))
+        parts.append(Part(f"{filter_}: {words}", float(gap), error))
     return parts
 
 
-def _error_of_average(average: TimeAverage) -> np.ndarray:
-    return metrics.jackknife_error(average.left_out[:, -1])
+def _error_of_average(average: TimeAverage) -> float:
+    return float(metrics.jackknife_error(average.left_out[:, -1]))
+
+
+def _of_both(first: float, second: float) -> float:
+    """Standard error of a sum or difference of independent numbers."""
+    return float(np.sqrt(first * first + second * second))
 
 
 @claim(
@@ -208,10 +214,8 @@ def no_censoring_limit(results: Results) -> list[Part]:
     log, analysis = results.log("deadband", POINT), results.analysis("deadband")
     known = STUDY.model(log.parameters)
     tested = slice(analysis.identity_trials)
-    draws = protocol_particles.Draws(known, analysis.identity_particles, True, "particle")
-    particles = draws.initial(
-        Streams(log.seed, "claims", "filter:limits", log.trials[tested].tolist())
-    )
+    streams = Streams(log.seed, "claims", "filter:limits", log.trials[tested].tolist())
+    particles = protocol_particles.prior(known, streams, analysis.identity_particles)
     step = STUDY.channels(log, tested).at(1, known.initial_mean)
     parts = []
     for kind, threshold in (("dead band", 0.0), ("saturation", np.inf)):
@@ -219,7 +223,7 @@ def no_censoring_limit(results: Results) -> list[Part]:
         received, code = censored(step["received"], limit.censoring)
         seen = SimpleNamespace(**step | {"received": received, "code": code})
         both = [
-            censored_likelihood.build(limit, compensated)(particles, seen, 1)
+            arrays.log(censored_likelihood.likelihood(limit, particles, seen, compensated))
             for compensated in (True, False)
         ]
         comparison = f"{kind}: difference of log likelihoods"

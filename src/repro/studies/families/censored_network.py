@@ -41,61 +41,53 @@ Deviations = tuple[NotNegative, NotNegative, NotNegative]
 class Parameters(PointParameters):
     """Values of one point [censored_network (1)-(7), (23)-(25)]."""
 
-    initial_states: Annotated[
-        tuple[Triple, Triple, Triple],
-        Field(description="m, m, rad; true state of each target at k = 0, and the prior mean"),
-    ]
-    initial_deviation: Annotated[
-        Deviations, Field(description="m, m, rad; standard deviation of the prior")
-    ]
-    speed: Annotated[Triple, Field(description="m per step, v of each target")]
-    turn_rate: Annotated[float, Field(description="rad per step, Omega")]
-    process_deviation: Annotated[
-        Deviations, Field(description="m, m, rad; standard deviation of the process noise")
-    ]
-    coupling_strength: Annotated[
-        NotNegative, Field(description="m or rad as the state, c^ij between two targets")
-    ]
-    self_coupling_strength: Annotated[
-        NotNegative, Field(description="m or rad as the state, c^ii of a target on itself")
-    ]
-    coupling_rate: Annotated[
-        Probability, Field(description="1, alphabar: probability that a target is coupled")
-    ]
+    initial_states: tuple[Triple, Triple, Triple] = Field(
+        description="m, m, rad; true state of each target at k = 0, and the prior mean"
+    )
+    initial_deviation: Deviations = Field(description="m, m, rad; standard deviation of the prior")
+    speed: Triple = Field(description="m per step, v of each target")
+    turn_rate: float = Field(description="rad per step, Omega")
+    process_deviation: Deviations = Field(
+        description="m, m, rad; standard deviation of the process noise"
+    )
+    coupling_strength: NotNegative = Field(
+        description="m or rad as the state, c^ij between two targets"
+    )
+    self_coupling_strength: NotNegative = Field(
+        description="m or rad as the state, c^ii of a target on itself"
+    )
+    coupling_rate: Probability = Field(
+        description="1, alphabar: probability that a target is coupled"
+    )
     sensor_groups: Annotated[
         tuple[Annotated[tuple[Pair, ...], Field(min_length=1)], ...],
         Field(min_length=1, description="m, position of each sensor of each group"),
         Rectangular,
     ]
-    group_probabilities: Annotated[
-        tuple[Probability, ...],
-        Field(min_length=1, description="1, p_m: probability that group m transmits"),
-    ]
-    group_known: Annotated[
-        bool, Field(description="whether the filters are told which group transmits")
-    ]
-    strength_at_reference: Annotated[
-        float, Field(description="dB, Phi_0: signal strength at the reference distance")
-    ]
-    path_loss_exponent: Annotated[float, Field(gt=0, le=10, description="1, eta")]
-    reference_distance: Annotated[float, Field(ge=0.001, description="m, r_0")]
-    glint_probability: Annotated[
-        Probability, Field(description="1, kappa: weight of the wide noise component")
-    ]
-    nominal_deviation: Annotated[
-        Positive, Field(description="dB, sigma_1: standard deviation of the narrow component")
-    ]
-    glint_deviation: Annotated[
-        Positive, Field(description="dB, sigma_2: standard deviation of the wide component")
-    ]
-    censoring: Annotated[
-        Literal["dead band", "saturation"], Field(description="censoring model, (4) or (5)")
-    ]
-    lower_threshold: Annotated[float, Field(description="dB, y_l")]
-    upper_threshold: Annotated[float, Field(description="dB, y_r")]
-    dead_band_constant: Annotated[
-        float, Field(description="dB, y_const: what arrives of a reading inside the dead band")
-    ]
+    group_probabilities: tuple[Probability, ...] = Field(
+        min_length=1, description="1, p_m: probability that group m transmits"
+    )
+    group_known: bool = Field(description="whether the filters are told which group transmits")
+    strength_at_reference: float = Field(
+        description="dB, Phi_0: signal strength at the reference distance"
+    )
+    path_loss_exponent: float = Field(gt=0, le=10, description="1, eta")
+    reference_distance: float = Field(ge=0.001, description="m, r_0")
+    glint_probability: Probability = Field(
+        description="1, kappa: weight of the wide noise component"
+    )
+    nominal_deviation: Positive = Field(
+        description="dB, sigma_1: standard deviation of the narrow component"
+    )
+    glint_deviation: Positive = Field(
+        description="dB, sigma_2: standard deviation of the wide component"
+    )
+    censoring: Literal["dead band", "saturation"] = Field(description="censoring model, (4) or (5)")
+    lower_threshold: float = Field(description="dB, y_l")
+    upper_threshold: float = Field(description="dB, y_r")
+    dead_band_constant: float = Field(
+        description="dB, y_const: what arrives of a reading inside the dead band"
+    )
 
     @model_validator(mode="after")
     def _every_group_has_a_probability(self) -> Self:
@@ -110,37 +102,20 @@ class Parameters(PointParameters):
 class Analysis(Values):
     """Thresholds of the metrics and of the claims."""
 
-    lost_above: Annotated[
-        Positive, Field(description="m, position error above which a target is lost")
-    ]
-    short_horizon: Annotated[
-        int, Field(ge=1, description="steps over which the RMSE is averaged besides all")
-    ]
-    far_costlier: Annotated[
-        Positive, Field(description="1, factor by which one cost must exceed another")
-    ]
-    identity_trials: Annotated[
-        int, Field(ge=1, description="trials on which an identity is tested")
-    ]
-    identity_steps: Annotated[int, Field(ge=1, description="steps over which it is tested")]
-    identity_particles: Annotated[
-        int, Field(ge=2, description="particles per node with which it is tested")
-    ]
-    identity_tolerance: Annotated[
-        Positive, Field(description="largest difference by which it still holds")
-    ]
+    lost_above: Positive = Field(description="m, position error above which a target is lost")
+    short_horizon: int = Field(
+        ge=1, description="steps over which the RMSE is averaged besides all"
+    )
+    far_costlier: Positive = Field(description="1, factor by which one cost must exceed another")
+    identity_trials: int = Field(ge=1, description="trials on which an identity is tested")
+    identity_steps: int = Field(ge=1, description="steps over which it is tested")
+    identity_particles: int = Field(ge=2, description="particles per node with which it is tested")
+    identity_tolerance: Positive = Field(description="largest difference by which it still holds")
 
 
 def sensors(parameters: Parameters) -> np.ndarray:
     """Positions (M, b, 2) in m."""
     return np.array(parameters.sensor_groups, dtype=float)
-
-
-def _coupling(parameters: Parameters) -> np.ndarray:
-    nodes = len(TARGETS)
-    matrix = np.full((nodes, nodes), parameters.coupling_strength, dtype=float)
-    np.fill_diagonal(matrix, parameters.self_coupling_strength)
-    return matrix
 
 
 def squared_distance(runs: Runs) -> np.ndarray:
@@ -166,7 +141,7 @@ class CensoredNetwork(Study):
 
     Parameters = Parameters
     Analysis = Analysis
-    systems_per_block = 4  # so that the readings of all particles fit in a cache of 1 MB
+    systems_per_block = 20
     error_unit = "m"
     trajectory = tuple((f"px_{i}", f"py_{i}") for i in TARGETS)
 
@@ -192,7 +167,11 @@ class CensoredNetwork(Study):
             speed=np.array(parameters.speed),
             turn_rate=parameters.turn_rate,
             process_deviation=np.array(parameters.process_deviation),
-            coupling=_coupling(parameters),
+            coupling=np.where(
+                np.eye(len(TARGETS), dtype=bool),
+                parameters.self_coupling_strength,
+                parameters.coupling_strength,
+            ),
             coupling_rate=parameters.coupling_rate,
             sensors=sensors(parameters),
             strength=SignalStrength(
@@ -229,15 +208,12 @@ class CensoredNetwork(Study):
         truth[:, 0] = known.initial_mean.reshape(nodes, len(STATE))
         for k in range(steps):  # (23), all targets from their states of step k
             x = truth[:, k]
-            moved = drift(x[..., None], known.speed, known.turn_rate)[..., 0]
-            truth[:, k + 1] = moved + coupled[:, k, :, None] * pull(x, known.coupling) + noise[:, k]
+            pushed = coupled[:, k, :, None] * pull(x, known.coupling)
+            truth[:, k + 1] = drift(x, known.speed, known.turn_rate) + pushed + noise[:, k]
 
         # (24)-(25); (trials, steps + 1, nodes, M, b)
         offset = truth[..., None, None, :2] - known.sensors
-        distance = np.hypot(offset[..., 0], offset[..., 1])
-        ideal = known.strength.at_reference - 10 * known.strength.path_loss_exponent * np.log10(
-            np.maximum(distance, 1e-9) / known.strength.reference_distance
-        )
+        ideal = known.strength.of_squared_distance((offset**2).sum(axis=-1))
         shape = (steps + 1, nodes, groups, size)
         glint = sensor.uniform(*shape)
         ideal = ideal + known.noise.sample(glint, sensor.standard_normal(*shape))

@@ -5,7 +5,7 @@ from typing import Annotated, Generic, Self, TypeVar
 import numpy as np
 from pydantic import Field, model_validator
 
-from repro.kernels.normals import standard_normal
+from repro.kernels import random
 from repro.logs import Log
 from repro.models import rss
 from repro.models.sensor_network import DrawPrior, GaussianNoise, SensorNetwork
@@ -84,7 +84,7 @@ class SignalStrengthStudy(HarvestingStudy):
         truth = np.empty((len(normals), n, steps + 1))
         truth[:, :, 0] = parameters.true_initial_state
         for k in range(steps):
-            truth[:, :, k + 1] = rss.move(truth[:, :, k].copy(), normals[:, k], time, root)
+            truth[:, :, k + 1] = rss.move(truth[:, :, k], normals[:, k], time, root)
         sensors = range(parameters.sensors)
         levels = np.stack([level(parameters, truth, i) for i in sensors], axis=1)
         return harvesting_sensors.measured(
@@ -153,7 +153,9 @@ def model(parameters: SignalStrengthParameters, draw_prior: DrawPrior) -> Sensor
     initial = np.array(parameters.true_initial_state, dtype=float)
 
     def move(x: np.ndarray, k: int, streams: Streams) -> np.ndarray:
-        return rss.move(x, standard_normal(streams, *x.shape[1:]), time, root)
+        normals = np.empty((len(x), random.padded(x[0].size)))
+        random.normals_of(streams.keys(), k, random.MOTION, normals)
+        return rss.move(x, normals[:, : x[0].size].reshape(x.shape), time, root)
 
     return SensorNetwork(
         initial_mean=initial,
@@ -161,10 +163,6 @@ def model(parameters: SignalStrengthParameters, draw_prior: DrawPrior) -> Sensor
         steps=parameters.steps,
         draw_prior=draw_prior,
         move=move,
-        level=lambda x, i: level(parameters, x, i),
-        noise=noise(parameters),
-        saturation=harvesting_sensors.saturation_of(parameters),
-        energy=harvesting_sensors.queue(parameters),
         plant=rss.SignalStrength(
             time,
             root,
@@ -173,6 +171,9 @@ def model(parameters: SignalStrengthParameters, draw_prior: DrawPrior) -> Sensor
             parameters.path_loss_exponent,
             parameters.reference_distance,
         ),
+        noise=noise(parameters),
+        saturation=harvesting_sensors.saturation_of(parameters),
+        energy=harvesting_sensors.queue(parameters),
     )
 
 

@@ -49,10 +49,12 @@ def combination(name: str, weights: Sequence[float], errors: Sequence[Columns]) 
     if runs < 2:
         return Part(f"{name}: {runs} runs", np.nan, np.nan)
     numbers = [metrics.roots_over_steps(error) for error in errors]
+    weighted = list(zip(weights, numbers, strict=True))
+    left_out = np.sum([weight * number.left_out for weight, number in weighted], axis=0)
     return Part(
         f"{name} ({', '.join(f'{number.value:.3g}' for number in numbers)}; {runs} runs)",
-        float(np.dot(weights, [number.value for number in numbers])),
-        float(metrics.jackknife_error(np.dot(weights, [number.left_out for number in numbers]))),
+        float(np.sum([weight * number.value for weight, number in weighted])),
+        float(metrics.jackknife_error(left_out)),
     )
 
 
