@@ -12,6 +12,7 @@ import numpy as np
 from repro.filters import Filter
 from repro.filters.families import ross_eh
 from repro.kernels import joint_energy_step as kernels
+from repro.kernels.resampling import SCHEMES
 from repro.models.sensor_network import SensorNetwork
 from repro.models.ungm import Growth
 from repro.network.channels import Seen
@@ -42,7 +43,7 @@ def build(model: SensorNetwork, settings: JointBootstrap) -> Filter:
     chain, start = chain[np.ix_(visited, visited)], start[visited]
     empty = np.nonzero(visited)[0] < len(model.energy.harvest_transition)  # E = 0
     noise, network = ross_eh.noises(model), ross_eh.network(1.0, model.saturation)
-    scheme, plant = ross_eh.SCHEMES[settings.resampling], ross_eh.plant_at(model.plant)
+    scheme, plant = SCHEMES[settings.resampling], ross_eh.plant_at(model.plant)
     kernel = kernels.growth if isinstance(model.plant, Growth) else kernels.signal_strength
     count = settings.particles
 

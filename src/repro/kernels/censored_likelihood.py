@@ -11,10 +11,9 @@ Each loop over the particles does one thing, so that it is vectorised.
 
 import numpy as np
 
-from repro.kernels import compiled_resampling as resampling
+from repro.kernels import resampling
 from repro.kernels.compiled import kernel, scalar
 from repro.kernels.elementary import exp, expm1, log, log_normal_cdf, log_of_normal, logaddexp
-from repro.kernels.sensor_network_step import UNDERFLOWS
 
 # Distances are clipped to 1e-9 ... 1e9 m, so that every signal strength is finite.
 NEAREST_SQUARED, FARTHEST_SQUARED = 1e-18, 1e18  # m^2
@@ -63,7 +62,7 @@ def likelihood(x, known, network, prior, work, out):
                 between(strength, low[i], high[i], noise, of_group)
         for j in range(out.size):
             out[j] += of_group[j]
-    if resampling.weighted_total(prior, out) < UNDERFLOWS:
+    if resampling.weighted_total(prior, out) < resampling.UNDERFLOWS:
         log_likelihood(x, known, network, work, out)
         largest = -np.inf
         for j in range(out.size):

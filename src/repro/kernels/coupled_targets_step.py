@@ -12,12 +12,11 @@ before, after  particles, weights, means, effective sample sizes (trials,), dege
 scratch  parents (particles,) int64, random numbers (`drawn_length`,), rows (ROWS, particles)
 """
 
-from repro.kernels import compiled_resampling as resampling
-from repro.kernels import random
+from repro.kernels import random, resampling
 from repro.kernels.censored_likelihood import likelihood, of_node
 from repro.kernels.compiled import kernel
 from repro.kernels.elementary import sin, sine_cosine
-from repro.kernels.sensor_network_step import draw_parents, take, weighted_mean
+from repro.kernels.resampling import draw_parents, take, weighted_mean
 
 ROWS = 10  # of the scratch
 

@@ -11,8 +11,7 @@ scratch  parents (particles,) int64, random numbers, rows (N + pairs + ROWS, par
 
 import numpy as np
 
-from repro.kernels import compiled_resampling as resampling
-from repro.kernels import random
+from repro.kernels import random, resampling
 from repro.kernels import sensor_network_step as plain
 from repro.kernels.compiled import kernel
 from repro.kernels.elementary import exp, log
@@ -32,8 +31,8 @@ def growth(keys, k, z, plant, noise, network, energy, scheme, before, after, scr
     drive, scale, offsets = plant
     for trial in range(keys.size):
         x = particles[trial]
-        plain.draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
-        plain.take(particles_before[trial], parents, x)
+        resampling.draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
+        resampling.take(particles_before[trial], parents, x)
         random.fill_uniforms(keys[trial], k, random.MOTION, drawn)
         plain.move_growth(x[0], drawn, drive, scale)
         for i in range(len(offsets)):
@@ -55,8 +54,8 @@ def signal_strength(keys, k, z, plant, noise, network, energy, scheme, before, a
     components, count = particles.shape[1:]
     for trial in range(keys.size):
         x = particles[trial]
-        plain.draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
-        plain.take(particles_before[trial], parents, x)
+        resampling.draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
+        resampling.take(particles_before[trial], parents, x)
         random.fill_normals(keys[trial], k, random.MOTION, drawn)
         for axis in range(components // 2):
             of_axis = drawn[2 * axis * count : 2 * (axis + 1) * count]
@@ -72,12 +71,12 @@ def weigh(trial, z, noise, network, energy, before, after, scratch):
     particles, all_weights, _, mean, degenerate = after
     weights = all_weights[trial]
     update(trial, z, noise, network, energy, before, after, scratch, False)
-    if resampling.total(weights) < plain.UNDERFLOWS:
+    if resampling.total(weights) < resampling.UNDERFLOWS:
         update(trial, z, noise, network, energy, before, after, scratch, True)
         degenerate[trial] += resampling.normalise_logarithms(weights)
     else:
         degenerate[trial] += resampling.normalise(weights)
-    plain.weighted_mean(particles[trial], weights, mean[trial])
+    resampling.weighted_mean(particles[trial], weights, mean[trial])
 
 
 @kernel
@@ -94,7 +93,7 @@ def update(trial, z, noise, network, energy, before, after, scratch, in_logarith
     weights[:] = 0.0 if in_logarithms else 1.0
     for i in range(sensors):
         law = laws[trial, i]
-        plain.take(laws_before[trial, i], parents, taken)
+        resampling.take(laws_before[trial, i], parents, taken)
         predict(taken, chain, law)
         if in_logarithms:
             log_densities(levels[i], z[trial, i], noise, i, network, sent, lost, largest)

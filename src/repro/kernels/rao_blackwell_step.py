@@ -5,11 +5,9 @@ particle j of a trial has column[trial, j]. gamma, log_weights, weights, parents
 (trials, particles). drawn (m,), m = padded(particles + 1), and row (particles,) are scratch.
 """
 
-from repro.kernels import compiled_resampling as resampling
-from repro.kernels import random
+from repro.kernels import random, resampling
 from repro.kernels.compiled import kernel
 from repro.kernels.elementary import log, logaddexp
-from repro.kernels.sensor_network_step import draw_parents
 
 
 @kernel
@@ -76,7 +74,7 @@ def select(keys, k, threshold, scheme, log_weights, weights, parents, resampled,
         degenerate[trial] += failed
         resampled[trial] = resampling.effective_sample_size(of_trial) < threshold
         if resampled[trial]:  # 3a, 3b
-            draw_parents(of_trial, scheme, keys[trial], k, drawn, chosen)
+            resampling.draw_parents(of_trial, scheme, keys[trial], k, drawn, chosen)
             of_trial[:] = 1.0 / count
         else:
             for j in range(count):

@@ -1,65 +1,157 @@
-"""Weights and resampling of the particle filters, batched: (rows, particles)."""
+"""Weights and resampling of one trial, for kernels. Weights are (particles,)."""
 
 import numpy as np
 
+from repro.kernels import random
+from repro.kernels.compiled import kernel
+from repro.kernels.elementary import exp, log_of_normal
 
-def normalised(log_weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Weights that sum to one along the last axis, and which rows are degenerate, (...,).
+SYSTEMATIC, MULTINOMIAL = range(2)
+SCHEMES = {"systematic": SYSTEMATIC, "multinomial": MULTINOMIAL}  # as settings name them
+# Particles the sum of whose likelihoods is below this are weighted in logarithms.
+UNDERFLOWS = 1e-200
 
-    The largest log weight is subtracted first, so that a row of very small weights keeps their
-    order. A row without any finite log weight gets equal weights and is degenerate.
+
+@kernel
+def total(values):
+    """Sum in four interleaved parts, so that an addition need not wait for the one before."""
+    a = b = c = d = 0.0
+    whole = values.size // 4 * 4
+    for i in range(0, whole, 4):
+        a += values[i]
+        b += values[i + 1]
+        c += values[i + 2]
+        d += values[i + 3]
+    for i in range(whole, values.size):
+        a += values[i]
+    return (a + b) + (c + d)
+
+
+@kernel
+def weighted_total(weights, values):
+    """Sum of weights times values, in four interleaved parts."""
+    a = b = c = d = 0.0
+    whole = values.size // 4 * 4
+    for i in range(0, whole, 4):
+        a += weights[i] * values[i]
+        b += weights[i + 1] * values[i + 1]
+        c += weights[i + 2] * values[i + 2]
+        d += weights[i + 3] * values[i + 3]
+    for i in range(whole, values.size):
+        a += weights[i] * values[i]
+    return (a + b) + (c + d)
+
+
+@kernel
+def weighted_mean(particles, weights, mean):
+    """The estimate of one trial."""
+    for component in range(len(particles)):
+        mean[component] = weighted_total(weights, particles[component])
+
+
+@kernel
+def weighted_means(particles, weights, means):
+    """The estimates of all trials, (trials, n)."""
+    for trial in range(len(particles)):
+        weighted_mean(particles[trial], weights[trial], means[trial])
+
+
+@kernel
+def normalise(weights):
+    """Scale weights to the sum one. If they have no positive finite sum they become equal;
+    returns whether that is so."""
+    scale = 1.0 / total(weights)
+    degenerate = not 0.0 < scale < np.inf
+    for i in range(weights.size):
+        weights[i] = 1.0 / weights.size if degenerate else weights[i] * scale
+    return degenerate
+
+
+@kernel
+def normalise_logarithms(weights):
+    """Turn log weights into weights as `normalise` does, in any common scale.
+
+    The largest is subtracted first, so that a row that underflows as a whole keeps its order.
     """
-    largest = log_weights.max(axis=-1, keepdims=True)
-    degenerate = ~np.isfinite(largest)
-    if degenerate.any():
-        log_weights = np.where(degenerate, 0.0, log_weights)
-        largest = np.where(degenerate, 0.0, largest)
-    weights = log_weights - largest
-    np.exp(weights, out=weights)
-    weights /= weights.sum(axis=-1, keepdims=True)
-    return weights, degenerate[..., 0]
+    largest = -np.inf
+    for i in range(weights.size):
+        largest = weights[i] if weights[i] > largest else largest
+    for i in range(weights.size):  # NaN if none is finite
+        weights[i] = exp(weights[i] - largest)
+    return normalise(weights)
 
 
-def effective_sample_size(weights: np.ndarray) -> np.ndarray:
-    """1 / sum of squared weights, along the last axis."""
-    return 1.0 / np.vecdot(weights, weights)
+@kernel
+def effective_sample_size(weights):
+    """1 / sum of squared weights."""
+    return 1.0 / weighted_total(weights, weights)
 
 
-def systematic(weights: np.ndarray, uniform: np.ndarray) -> np.ndarray:
-    """Parents (rows, particles), ascending, by systematic resampling; one uniform per row.
+@kernel
+def effective_sample_sizes(weights, out):
+    """Of each row of weights (rows, particles); out (rows,)."""
+    for row in range(len(weights)):
+        out[row] = effective_sample_size(weights[row])
 
-    Up to particle i there are ceil(N c_i - u) children, c the cumulative weights. So the parent
-    of child j is the number of particles with at most j children up to them: a count, then a sum.
+
+@kernel
+def draw_parents(weights, scheme, key, k, drawn, parents):
+    """Indices of the particles that are drawn, as the weights; `drawn` is written over."""
+    if scheme == SYSTEMATIC:
+        uniform = random.uniform(key, k, random.RESAMPLING)
+        systematic(weights, uniform, parents)
+    else:
+        uniforms = drawn[: random.padded(weights.size + 1)]
+        random.fill_uniforms(key, k, random.RESAMPLING, uniforms)
+        multinomial(weights, uniforms, parents)
+
+
+@kernel
+def systematic(weights, uniform, parents):
+    """Parents, ascending, by systematic resampling with one uniform.
+
+    The children of particle i begin at ceil(N c - u), c the weights before it. So the parent of a
+    child is how many other particles begin up to it: a count, then a sum, and no branches.
     """
-    rows, particles = weights.shape
-    upto = np.cumsum(weights, axis=1)
-    upto *= particles
-    upto -= uniform[:, None]
-    np.ceil(upto, out=upto)
-    np.clip(upto, 0, particles, out=upto)
-    upto[:, -1] = particles  # rounding must not lose the last child
-    upto += (np.arange(rows) * (particles + 1))[:, None]
-    ends = np.bincount(upto.astype(np.intp).ravel(), minlength=rows * (particles + 1))
-    return np.cumsum(ends.reshape(rows, -1)[:, :-1], axis=1)
+    count = weights.size
+    parents[:] = 0
+    before = weights[0]
+    for i in range(1, count):
+        place = count * before - uniform
+        begin = int(place)
+        begin += begin < place
+        if begin < count:
+            parents[begin] += 1
+        before += weights[i]
+    parent = 0
+    for child in range(count):
+        parent += parents[child]
+        parents[child] = parent
 
 
-def multinomial(weights: np.ndarray, uniforms: np.ndarray) -> np.ndarray:
-    """Parents (rows, particles), ascending, by multinomial resampling; one uniform per particle.
+@kernel
+def multinomial(weights, uniforms, parents):
+    """Parents, ascending, by multinomial resampling with N + 1 uniforms on (0, 1).
 
-    Cumulative weights and uniforms are sorted together, as integer multiples of 2^-40, and a half
-    is added to the uniforms to mark them: the number of weights before a uniform is its parent. A
-    binary search would branch at random and cost several times as much.
+    Sorted uniforms are cumulated exponentials over their sum (Devroye, 1986); overwritten.
     """
-    rows, particles = weights.shape
-    keys = np.empty((rows, 2 * particles))
-    np.cumsum(weights, axis=1, out=keys[:, :particles])
-    keys[:, particles - 1] = 1.0  # rounding must not leave a uniform without a parent
-    keys[:, particles:] = uniforms
-    keys *= 2.0**40
-    np.floor(keys, out=keys)
-    keys[:, particles:] += 0.5
-    keys.sort(axis=1)
-    parents = np.flatnonzero(keys != np.floor(keys)).reshape(rows, particles)
-    parents -= np.arange(0, keys.size, 2 * particles)[:, None]
-    parents -= np.arange(particles)
-    return parents
+    count = weights.size
+    for j in range(count + 1):
+        uniforms[j] = -log_of_normal(uniforms[j])
+    scale = 1.0 / total(uniforms[: count + 1])
+    parent, upto = 0, weights[0]
+    point = 0.0
+    for j in range(count):
+        point += uniforms[j] * scale
+        while upto <= point and parent < count - 1:
+            parent += 1
+            upto += weights[parent]
+        parents[j] = parent
+
+
+@kernel
+def take(source, parents, out):
+    """Copy the drawn particles, (n, particles)."""
+    for component in range(len(source)):
+        for j in range(parents.size):
+            out[component, j] = source[component, parents[j]]

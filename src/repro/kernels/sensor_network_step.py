@@ -15,14 +15,10 @@ levels (N, particles).
 
 import numpy as np
 
-from repro.kernels import compiled_resampling as resampling
-from repro.kernels import random
+from repro.kernels import random, resampling
 from repro.kernels.compiled import kernel, scalar
 from repro.kernels.elementary import exp, log, log_of_normal
 
-SYSTEMATIC, MULTINOMIAL = range(2)
-# Particles the sum of whose likelihoods is below this are weighted in logarithms.
-UNDERFLOWS = 1e-200
 SQUARED_DISTANCE_FLOOR = 1e-12  # m^2: a target on its sensor has a finite level
 
 
@@ -60,14 +56,14 @@ def growth(
     """
     for trial in range(keys.size):
         x = particles[trial]
-        draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
-        take(before[trial], parents, x)
+        resampling.draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
+        resampling.take(before[trial], parents, x)
         random.fill_uniforms(keys[trial], k, random.MOTION, drawn)
         move_growth(x[0], drawn, drive, scale)
         for i in range(len(levels)):
             level_growth(x[0], offsets[i], levels[i])
         degenerate[trial] += weigh(levels, z[trial], noise, network, in_logarithms, weights[trial])
-        weighted_mean(x, weights[trial], mean[trial])
+        resampling.weighted_mean(x, weights[trial], mean[trial])
 
 
 @kernel
@@ -102,8 +98,8 @@ def signal_strength(
     components, count = particles.shape[1:]
     for trial in range(keys.size):
         x = particles[trial]
-        draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
-        take(before[trial], parents, x)
+        resampling.draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
+        resampling.take(before[trial], parents, x)
         random.fill_normals(keys[trial], k, random.MOTION, drawn)
         for axis in range(components // 2):
             of_axis = drawn[2 * axis * count : 2 * (axis + 1) * count]
@@ -111,27 +107,7 @@ def signal_strength(
         for i in range(len(sensors)):
             level_signal_strength(x, sensors[i], level_at_one, slope, levels[i])
         degenerate[trial] += weigh(levels, z[trial], noise, network, in_logarithms, weights[trial])
-        weighted_mean(x, weights[trial], mean[trial])
-
-
-@kernel
-def draw_parents(weights, scheme, key, k, drawn, parents):
-    """Indices of the particles that are drawn, as the weights; `drawn` is written over."""
-    if scheme == SYSTEMATIC:
-        uniform = random.uniform(key, k, random.RESAMPLING)
-        resampling.systematic(weights, uniform, parents)
-    else:
-        uniforms = drawn[: random.padded(weights.size + 1)]
-        random.fill_uniforms(key, k, random.RESAMPLING, uniforms)
-        resampling.multinomial(weights, uniforms, parents)
-
-
-@kernel
-def take(source, parents, out):
-    """Copy the drawn particles, (n, particles)."""
-    for component in range(len(source)):
-        for j in range(parents.size):
-            out[component, j] = source[component, parents[j]]
+        resampling.weighted_mean(x, weights[trial], mean[trial])
 
 
 @kernel
@@ -189,7 +165,7 @@ def weigh(levels, z, noise, network, in_logarithms, weights):
             gaussian_likelihood(levels[i], z[i], noise[i] + noise[-1], noise[-1], network, weights)
         else:
             exponential_likelihood(levels[i], z[i], noise[i], network, weights)
-    if in_logarithms and resampling.total(weights) < UNDERFLOWS:
+    if in_logarithms and resampling.total(weights) < resampling.UNDERFLOWS:
         weights[:] = 0.0
         for i in range(len(levels)):
             if gaussian:
@@ -311,17 +287,3 @@ def log_exponential(z, mean):
 def log_erlang(error, mean):
     """Log density of the sum of two exponentials (28); -inf from zero down."""
     return log(error) - error / mean - 2.0 * log(mean) if error > 0.0 else -np.inf
-
-
-@kernel
-def weighted_mean(particles, weights, mean):
-    """The estimate of one trial."""
-    for component in range(len(particles)):
-        mean[component] = resampling.weighted_total(weights, particles[component])
-
-
-@kernel
-def weighted_means(particles, weights, means):
-    """The estimates of all trials, (trials, n)."""
-    for trial in range(len(particles)):
-        weighted_mean(particles[trial], weights[trial], means[trial])

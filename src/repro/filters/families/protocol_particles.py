@@ -14,12 +14,10 @@ import numpy as np
 from repro.filters import Filter
 from repro.filters.families import censored_likelihood
 from repro.kernels import coupled_targets_step as kernels
-from repro.kernels.sensor_network_step import MULTINOMIAL, SYSTEMATIC
+from repro.kernels.resampling import SCHEMES
 from repro.models.coupled_targets import CoupledTargets
 from repro.parameters.settings import ProtocolParticles
 from repro.streams import Streams
-
-SCHEMES = {"systematic": SYSTEMATIC, "multinomial": MULTINOMIAL}
 
 
 class Cloud(NamedTuple):

@@ -13,13 +13,11 @@ from repro.filters import Filter
 from repro.filters.families import kalman
 from repro.kernels import random
 from repro.kernels import rao_blackwell_step as kernels
-from repro.kernels.sensor_network_step import MULTINOMIAL, SYSTEMATIC
+from repro.kernels.resampling import SCHEMES
 from repro.models import Model
 from repro.network.channels import Seen
 from repro.parameters.settings import RaoBlackwell
 from repro.streams import Streams
-
-SCHEMES = {"multinomial": MULTINOMIAL, "systematic": SYSTEMATIC}
 
 
 class Bank(NamedTuple):

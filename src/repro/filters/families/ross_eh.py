@@ -10,8 +10,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from repro.filters import Filter
-from repro.kernels import arrays, compiled_resampling
+from repro.kernels import arrays, resampling
 from repro.kernels import sensor_network_step as kernels
+from repro.kernels.resampling import SCHEMES
 from repro.models.rss import SignalStrength
 from repro.models.sensor_network import ExponentialNoise, SensorNetwork
 from repro.models.ungm import Growth
@@ -22,7 +23,6 @@ from repro.streams import Streams
 
 STREAM = "bootstrap"  # shared by the filters of this family: they are compared on the same draws
 UNREACHED = 1e300  # the saturation level of a sensor without one
-SCHEMES = {"systematic": kernels.SYSTEMATIC, "multinomial": kernels.MULTINOMIAL}
 
 
 class Cloud(NamedTuple):
@@ -77,7 +77,7 @@ def build(
 
     def diagnostics(cloud: Cloud) -> dict[str, np.ndarray]:
         sizes = np.empty(len(cloud.weights))
-        compiled_resampling.effective_sample_sizes(cloud.weights, sizes)
+        resampling.effective_sample_sizes(cloud.weights, sizes)
         return {"effective_sample_size": sizes}
 
     return Filter(
@@ -94,7 +94,7 @@ def prior(model: SensorNetwork, streams: Streams, count: int) -> Cloud:
     particles = np.ascontiguousarray(model.draw_prior(streams, count))
     weights = np.full((len(streams), count), 1.0 / count)
     mean = np.empty(particles.shape[:2])
-    kernels.weighted_means(particles, weights, mean)
+    resampling.weighted_means(particles, weights, mean)
     return Cloud(particles, weights, mean, np.zeros(len(streams)), streams.keys())
 
 
