@@ -60,7 +60,6 @@ def ours(y: np.ndarray, seed: int = 1) -> np.ndarray:
         sensors=len(SENSORS),
         steps=STEPS,
         draw_prior=lambda streams, count: mean + deviation * streams.standard_normal(4, count),
-        move=lambda x, k, streams: x,  # the filter has its own
         plant=SignalStrength(1.0, np.diag(NOISE[[0, 2]]), SENSORS, 10.0, 2.0, 1.0),
         noise=GaussianNoise(np.full(len(SENSORS), 0.5), 0.5),
     )

@@ -253,7 +253,6 @@ def test_linear_gaussian_is_the_kalman_filter():
         sensors=1,
         steps=steps,
         draw_prior=lambda streams, particles: streams.standard_normal(2, particles),
-        move=None,
         plant=SignalStrength(1.0, root, np.array([[far]]), 0.0, far * np.log(10) / 10, far),
         noise=GaussianNoise(np.array([r - 0.1]), 0.1),
     )

@@ -65,7 +65,6 @@ def growth() -> SensorNetwork:
         sensors=2,
         steps=STEPS,
         draw_prior=lambda streams, particles: streams.standard_normal(1, particles),
-        move=None,
         plant=Growth(2.0, (0.1, -0.1)),
         noise=ExponentialNoise(2.0, 2),
         saturation=Saturation(0.5, 10.0),
@@ -78,7 +77,6 @@ def signal_strength() -> SensorNetwork:
         sensors=2,
         steps=STEPS,
         draw_prior=lambda streams, particles: streams.standard_normal(4, particles),
-        move=None,
         noise=GaussianNoise(np.array([0.1, 0.1]), 0.001),
         saturation=Saturation(0.2, 30.0),
         plant=SignalStrength(

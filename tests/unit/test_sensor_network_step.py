@@ -8,6 +8,7 @@ from scipy.special import logsumexp
 from repro import plugins
 from repro.filters.families import ross_eh
 from repro.kernels import sensor_network_step
+from repro.models import rss, ungm
 from repro.models.sensor_network import ExponentialNoise, GaussianNoise
 from repro.models.ungm import Growth
 from repro.network.energy_harvesting import transmission_probability
@@ -105,6 +106,14 @@ def level(plant, x, i):
     return plant.power - 10 * plant.exponent * np.log10(distance / plant.reference)
 
 
+def moved(plant, x, k, streams):
+    """x(k) from p(x(k)|x(k-1)) of either plant, states (trials, n, particles)."""
+    if isinstance(plant, Growth):
+        noise = ungm.gamma_noise(streams, plant.noise_scale, *x.shape[1:])
+        return ungm.transition(x, k - 1) + noise
+    return rss.move(x, streams.standard_normal(*x.shape[1:]), plant.time, plant.root)
+
+
 def numpys(model, log):
     """Estimates of the same filter with independent draws."""
     transmission = transmission_probability(model.energy, model.steps, "lemma1")
@@ -113,7 +122,7 @@ def numpys(model, log):
     for k in range(1, log.steps):
         parents = [rng.choice(150, 150, p=w) for w in weights]
         x = np.stack([of_trial[:, p] for of_trial, p in zip(x, parents, strict=True)])
-        x = model.move(x, k, streams)
+        x = moved(model.plant, x, k, streams)
         z = log.values["/received"][:, k]
         logs = [
             log_likelihood(

@@ -12,6 +12,7 @@ scratch  parents (particles,) int64, random numbers, rows (N + pairs + ROWS, par
 import numpy as np
 
 from repro.kernels import random, resampling
+from repro.kernels import sensed_plants as plants
 from repro.kernels import sensor_network_step as plain
 from repro.kernels.compiled import kernel
 from repro.kernels.elementary import exp, log
@@ -34,9 +35,9 @@ def growth(keys, k, z, plant, noise, network, energy, scheme, before, after, scr
         resampling.draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
         resampling.take(particles_before[trial], parents, x)
         random.fill_uniforms(keys[trial], k, random.MOTION, drawn)
-        plain.move_growth(x[0], drawn, drive, scale)
+        plants.move_growth(x[0], drawn, drive, scale)
         for i in range(len(offsets)):
-            plain.level_growth(x[0], offsets[i], rows[i])
+            plants.level_growth(x[0], offsets[i], rows[i])
         weigh(trial, z, noise, network, energy, before, after, scratch)
 
 
@@ -51,17 +52,14 @@ def signal_strength(keys, k, z, plant, noise, network, energy, scheme, before, a
     particles, _, _, _, _ = after
     parents, drawn, rows = scratch
     time, root, sensors, level_at_one, slope = plant
-    components, count = particles.shape[1:]
     for trial in range(keys.size):
         x = particles[trial]
         resampling.draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
         resampling.take(particles_before[trial], parents, x)
         random.fill_normals(keys[trial], k, random.MOTION, drawn)
-        for axis in range(components // 2):
-            of_axis = drawn[2 * axis * count : 2 * (axis + 1) * count]
-            plain.move_axis(x[2 * axis], x[2 * axis + 1], of_axis, time, root)
+        plants.move_target(x, drawn, time, root)
         for i in range(len(sensors)):
-            plain.level_signal_strength(x, sensors[i], level_at_one, slope, rows[i])
+            plants.level_signal_strength(x, sensors[i], level_at_one, slope, rows[i])
         weigh(trial, z, noise, network, energy, before, after, scratch)
 
 

@@ -16,10 +16,9 @@ levels (N, particles).
 import numpy as np
 
 from repro.kernels import random, resampling
+from repro.kernels import sensed_plants as plants
 from repro.kernels.compiled import kernel, scalar
-from repro.kernels.elementary import exp, log, log_of_normal
-
-SQUARED_DISTANCE_FLOOR = 1e-12  # m^2: a target on its sensor has a finite level
+from repro.kernels.elementary import exp, log
 
 
 def drawn_length(components: int, count: int) -> int:
@@ -59,9 +58,9 @@ def growth(
         resampling.draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
         resampling.take(before[trial], parents, x)
         random.fill_uniforms(keys[trial], k, random.MOTION, drawn)
-        move_growth(x[0], drawn, drive, scale)
+        plants.move_growth(x[0], drawn, drive, scale)
         for i in range(len(levels)):
-            level_growth(x[0], offsets[i], levels[i])
+            plants.level_growth(x[0], offsets[i], levels[i])
         degenerate[trial] += weigh(levels, z[trial], noise, network, in_logarithms, weights[trial])
         resampling.weighted_mean(x, weights[trial], mean[trial])
 
@@ -95,60 +94,16 @@ def signal_strength(
     time is the sampling time, root (2, 2) the lower factor of Q of an axis, sensors (N, axes)
     their positions; a level is level_at_one + slope log(squared distance). Writes as `growth`.
     """
-    components, count = particles.shape[1:]
     for trial in range(keys.size):
         x = particles[trial]
         resampling.draw_parents(weights_before[trial], scheme, keys[trial], k, drawn, parents)
         resampling.take(before[trial], parents, x)
         random.fill_normals(keys[trial], k, random.MOTION, drawn)
-        for axis in range(components // 2):
-            of_axis = drawn[2 * axis * count : 2 * (axis + 1) * count]
-            move_axis(x[2 * axis], x[2 * axis + 1], of_axis, time, root)
+        plants.move_target(x, drawn, time, root)
         for i in range(len(sensors)):
-            level_signal_strength(x, sensors[i], level_at_one, slope, levels[i])
+            plants.level_signal_strength(x, sensors[i], level_at_one, slope, levels[i])
         degenerate[trial] += weigh(levels, z[trial], noise, network, in_logarithms, weights[trial])
         resampling.weighted_mean(x, weights[trial], mean[trial])
-
-
-@kernel
-def move_growth(x, uniforms, drive, scale):
-    """x(k) of (29) over x(k-1), with Gamma noise of shape two: the sum of two exponentials."""
-    others = uniforms[x.size :]
-    for j in range(x.size):
-        last = x[j]
-        w = -scale * log_of_normal(uniforms[j] * others[j])
-        x[j] = (0.5 * last + 25.0 * last / (1.0 + last * last) + drive) + w
-
-
-@kernel
-def level_growth(x, offset, level):
-    """h^i(x) of (29)."""
-    for j in range(x.size):
-        distance = x[j] - offset
-        level[j] = distance * distance * (1 / 20)
-
-
-@kernel
-def move_axis(position, velocity, normals, time, root):
-    """x(k) of (30) over x(k-1), of one axis."""
-    others = normals[position.size :]
-    for j in range(position.size):
-        position[j] = position[j] + time * velocity[j] + root[0, 0] * normals[j]
-        velocity[j] = velocity[j] + root[1, 0] * normals[j] + root[1, 1] * others[j]
-
-
-@kernel
-def level_signal_strength(x, sensor, level_at_one, slope, level):
-    """h^i(x) of (32)."""
-    level[:] = 0.0
-    for axis in range(sensor.size):
-        position, centre = x[2 * axis], sensor[axis]
-        for j in range(level.size):
-            offset = position[j] - centre
-            level[j] += offset * offset
-    for j in range(level.size):
-        squared = SQUARED_DISTANCE_FLOOR if level[j] < SQUARED_DISTANCE_FLOOR else level[j]
-        level[j] = level_at_one + slope * log_of_normal(squared)
 
 
 @kernel

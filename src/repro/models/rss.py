@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from repro.kernels import arrays
-from repro.kernels.sensor_network_step import SQUARED_DISTANCE_FLOOR
+from repro.kernels.sensed_plants import SQUARED_DISTANCE_FLOOR
 
 
 class SignalStrength(NamedTuple):

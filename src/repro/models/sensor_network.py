@@ -14,8 +14,6 @@ from repro.streams import Streams
 
 # (streams, particles) -> (trials, n, particles) from p(x(0))
 DrawPrior = Callable[[Streams, int], np.ndarray]
-# (x(k-1), k, streams) -> x(k) from p(x(k)|x(k-1))
-Move = Callable[[np.ndarray, int, Streams], np.ndarray]
 
 
 class GaussianNoise(NamedTuple):
@@ -53,7 +51,6 @@ class SensorNetwork(NamedTuple):
     sensors: int
     steps: int
     draw_prior: DrawPrior
-    move: Move  # in NumPy, for filters that take no measurement
     plant: Growth | SignalStrength
     noise: Noise
     saturation: Saturation | None = None  # None: nothing saturates

@@ -71,17 +71,11 @@ class Ungm(HarvestingStudy):
         def draw_prior(streams: Streams, particles: int) -> np.ndarray:
             return mean + deviation * streams.standard_normal(1, particles)
 
-        def move(x: np.ndarray, k: int, streams: Streams) -> np.ndarray:
-            following = ungm.transition(x, k - 1)
-            following += ungm.gamma_noise(streams, parameters.process_noise_scale, *x.shape[1:])
-            return following
-
         return SensorNetwork(
             initial_mean=np.array([mean]),
             sensors=len(offsets),
             steps=parameters.steps,
             draw_prior=draw_prior,
-            move=move,
             plant=ungm.Growth(parameters.process_noise_scale, offsets),
             noise=noise(parameters),
             saturation=harvesting_sensors.saturation_of(parameters),

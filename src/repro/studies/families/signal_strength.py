@@ -5,13 +5,11 @@ from typing import Annotated, Generic, Self, TypeVar
 import numpy as np
 from pydantic import Field, model_validator
 
-from repro.kernels import random
 from repro.logs import Log
 from repro.models import rss
 from repro.models.sensor_network import DrawPrior, GaussianNoise, SensorNetwork
 from repro.parameters.values import Positive, at_most
 from repro.statistics.runs import Runs
-from repro.streams import Streams
 from repro.studies import StreamsOf
 from repro.studies.families import harvesting_sensors
 from repro.studies.families.harvesting_sensors import (
@@ -152,17 +150,11 @@ def model(parameters: SignalStrengthParameters, draw_prior: DrawPrior) -> Sensor
     time, root = _motion(parameters)
     initial = np.array(parameters.true_initial_state, dtype=float)
 
-    def move(x: np.ndarray, k: int, streams: Streams) -> np.ndarray:
-        normals = np.empty((len(x), random.padded(x[0].size)))
-        random.normals_of(streams.keys(), k, random.MOTION, normals)
-        return rss.move(x, normals[:, : x[0].size].reshape(x.shape), time, root)
-
     return SensorNetwork(
         initial_mean=initial,
         sensors=parameters.sensors,
         steps=parameters.steps,
         draw_prior=draw_prior,
-        move=move,
         plant=rss.SignalStrength(
             time,
             root,
