@@ -24,7 +24,7 @@ def systematic(weights, uniform):
 
 def multinomial(weights, uniforms):
     parents = np.empty(weights.size, dtype=np.int64)
-    resampling.multinomial(weights, uniforms, parents)
+    resampling.multinomial(weights, uniforms, np.empty(weights.size), parents)
     return parents
 
 

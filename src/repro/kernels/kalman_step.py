@@ -13,7 +13,7 @@ with zeros. From there up to ends[i, 1] it varies with the system and is slabs[p
 from repro.kernels.compiled import kernel, scalar
 from repro.kernels.elementary import log
 
-PART = 512  # systems
+PART = 256  # systems
 
 
 @scalar
@@ -50,14 +50,29 @@ def combine(matrix, i, source, at, n, begin, first, start, out):
         else:
             for s in range(out.size):
                 out[s] += w0 * row_0[s] + w1 * row_1[s] + w2 * row_2[s] + w3 * row_3[s]
-    if ends[i, 0] == 0:
-        for s in range(out.size):
-            out[s] = start
-    for t in range(ends[i, 0], ends[i, 1]):
+    t, stop = ends[i, 0], ends[i, 1]
+    if t == 0:
+        out[:] = start
+    while t + 1 < stop:
+        entry, row = slabs[places[i, t], first:last], source[row_of(at, columns[i, t], n)]
+        other, next_row = (
+            slabs[places[i, t + 1], first:last],
+            source[row_of(at, columns[i, t + 1], n)],
+        )
+        add_two(entry, row[begin:end], other, next_row[begin:end], out)
+        t += 2
+    if t < stop:
         entry, row = slabs[places[i, t], first:last], source[row_of(at, columns[i, t], n)]
         row = row[begin:end]
         for s in range(out.size):
             out[s] += entry[s] * row[s]
+
+
+@kernel
+def add_two(a, x, b, y, out):
+    """out += a x, then b y."""
+    for s in range(out.size):
+        out[s] = (out[s] + a[s] * x[s]) + b[s] * y[s]
 
 
 @kernel
@@ -140,29 +155,58 @@ def subtract(factor, row, out):
 
 @kernel
 def correct(rows, precisions, values, weight, estimate, sigma, scratch):
-    """estimate + g K e and sigma - g K C sigma (4), g = weight (systems,); scratch (2, PART).
+    """estimate + g K e and sigma - g K C sigma (4), g = weight (systems,); scratch (4, PART).
 
     Of an innovation as `innovate` leaves it. g = 0 changes nothing.
     """
-    m, systems = values.shape
-    n = len(estimate)
+    systems = values.shape[1]
     for first in range(0, systems, PART):
         last = min(first + PART, systems)
-        share, gain = scratch[0, : last - first], scratch[1, : last - first]
-        of_weight = weight[first:last]
-        for i in range(m):
-            precision, value = precisions[i, first:last], values[i, first:last]
-            for k in range(share.size):
-                share[k] = of_weight[k] * precision[k]
-            place = 0
-            for a in range(n):
-                of_a, state = rows[i * n + a, first:last], estimate[a, first:last]
-                for k in range(share.size):
-                    gain[k] = of_a[k] * share[k]
-                    state[k] += gain[k] * value[k]
+        correct_part(
+            rows, precisions, values, weight[first:last], estimate, sigma, first, last, scratch
+        )
+
+
+@kernel
+def correct_part(rows, precisions, values, weight, estimate, sigma, first, last, scratch):
+    """`correct` of the systems from first to last, with their weights; two values at a time."""
+    m, n = len(values), len(estimate)
+    share, next_share = scratch[0, : weight.size], scratch[1, : weight.size]
+    gain, next_gain = scratch[2, : weight.size], scratch[3, : weight.size]
+    for i in range(0, m, 2):
+        precision, value = precisions[i, first:last], values[i, first:last]
+        for k in range(weight.size):
+            share[k] = weight[k] * precision[k]
+        if i + 1 < m:
+            precision, next_value = precisions[i + 1, first:last], values[i + 1, first:last]
+            for k in range(weight.size):
+                next_share[k] = weight[k] * precision[k]
+        place = 0
+        for a in range(n):
+            of_a, state = rows[i * n + a, first:last], estimate[a, first:last]
+            for k in range(weight.size):
+                gain[k] = of_a[k] * share[k]
+                state[k] += gain[k] * value[k]
+            if i + 1 < m:
+                of_a = rows[(i + 1) * n + a, first:last]
+                for k in range(weight.size):
+                    next_gain[k] = of_a[k] * next_share[k]
+                    state[k] += next_gain[k] * next_value[k]
+                for b in range(a, n):
+                    of_b, next_of_b = rows[i * n + b, first:last], rows[(i + 1) * n + b, first:last]
+                    subtract_two(gain, of_b, next_gain, next_of_b, sigma[place, first:last])
+                    place += 1
+            else:
                 for b in range(a, n):
                     subtract(gain, rows[i * n + b, first:last], sigma[place, first:last])
                     place += 1
+
+
+@kernel
+def subtract_two(a, x, b, y, out):
+    """out -= a x, then b y."""
+    for k in range(out.size):
+        out[k] = (out[k] - a[k] * x[k]) - b[k] * y[k]
 
 
 @kernel

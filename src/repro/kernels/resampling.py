@@ -28,6 +28,21 @@ def total(values):
 
 
 @kernel
+def maximum(values):
+    """The largest that is not NaN, or -inf, in four interleaved parts."""
+    a = b = c = d = -np.inf
+    whole = values.size // 4 * 4
+    for i in range(0, whole, 4):
+        a = values[i] if values[i] > a else a
+        b = values[i + 1] if values[i + 1] > b else b
+        c = values[i + 2] if values[i + 2] > c else c
+        d = values[i + 3] if values[i + 3] > d else d
+    for i in range(whole, values.size):
+        a = values[i] if values[i] > a else a
+    return max(a, b, c, d)
+
+
+@kernel
 def weighted_total(weights, values):
     """Sum of weights times values, in four interleaved parts."""
     a = b = c = d = 0.0
@@ -73,9 +88,7 @@ def normalise_logarithms(weights):
 
     The largest is subtracted first, so that a row that underflows as a whole keeps its order.
     """
-    largest = -np.inf
-    for i in range(weights.size):
-        largest = weights[i] if weights[i] > largest else largest
+    largest = maximum(weights)
     for i in range(weights.size):  # NaN if none is finite
         weights[i] = exp(weights[i] - largest)
     return normalise(weights)
@@ -96,14 +109,17 @@ def effective_sample_sizes(weights, out):
 
 @kernel
 def draw_parents(weights, scheme, key, k, drawn, parents):
-    """Indices of the particles that are drawn, as the weights; `drawn` is written over."""
+    """Indices of the particles that are drawn, as the weights.
+
+    drawn (2 particles + 4,) or more: scratch.
+    """
     if scheme == SYSTEMATIC:
         uniform = random.uniform(key, k, random.RESAMPLING)
         systematic(weights, uniform, parents)
     else:
-        uniforms = drawn[: random.padded(weights.size + 1)]
-        random.fill_uniforms(key, k, random.RESAMPLING, uniforms)
-        multinomial(weights, uniforms, parents)
+        first = random.padded(weights.size + 1)
+        random.fill_uniforms(key, k, random.RESAMPLING, drawn[:first])
+        multinomial(weights, drawn[:first], drawn[first : first + weights.size], parents)
 
 
 @kernel
@@ -130,23 +146,45 @@ def systematic(weights, uniform, parents):
 
 
 @kernel
-def multinomial(weights, uniforms, parents):
+def multinomial(weights, uniforms, upto, parents):
     """Parents, ascending, by multinomial resampling with N + 1 uniforms on (0, 1).
 
-    Sorted uniforms are cumulated exponentials over their sum (Devroye, 1986); overwritten.
+    Sorted uniforms are cumulated exponentials over their sum (Devroye, 1986). The parent of one is
+    how many cumulative weights, but for the last, are not above it: all those in lower of N equal
+    parts of (0, 1), which are counted in advance, and some in its own, which hardly are more than
+    three. To look for them one by one would branch at random and cost three times as much.
+    uniforms is overwritten, upto (N,) is scratch.
     """
-    count = weights.size
+    count, last = weights.size, weights.size - 1
     for j in range(count + 1):
         uniforms[j] = -log_of_normal(uniforms[j])
     scale = 1.0 / total(uniforms[: count + 1])
-    parent, upto = 0, weights[0]
-    point = 0.0
+    point = cumulated = 0.0
     for j in range(count):
         point += uniforms[j] * scale
-        while upto <= point and parent < count - 1:
-            parent += 1
-            upto += weights[parent]
-        parents[j] = parent
+        cumulated += weights[j]
+        uniforms[j], upto[j] = point, cumulated
+    upto[last] = np.inf
+    before = parents  # how many lie in lower parts
+    before[:] = 0
+    for i in range(last):
+        part = int(upto[i] * count) + 1
+        if part < count:
+            before[part] += 1
+    found = 0
+    for part in range(count):
+        found += before[part]
+        before[part] = found
+    for j in range(count):
+        point = uniforms[j]
+        i = before[min(int(point * count), last)]
+        second, third = min(i + 1, last), min(i + 2, last)
+        i += (upto[i] <= point) + (upto[second] <= point) + (upto[third] <= point)
+        while upto[i] <= point:
+            i += 1
+        uniforms[j] = i
+    for j in range(count):
+        parents[j] = int(uniforms[j])
 
 
 @kernel

@@ -126,7 +126,7 @@ def correct(
     n, systems = estimate.shape
     weights = np.full(systems, weight, dtype=float)
     known = innovation.rows, innovation.precisions, innovation.values, weights
-    kernels.correct(*known, estimate, covariance, np.empty((2, kernels.PART)))
+    kernels.correct(*known, estimate, covariance, np.empty((4, kernels.PART)))
     if spread:
         kernels.add_spread(*known, covariance, np.empty((n, kernels.PART)))
     return estimate, covariance

@@ -11,7 +11,6 @@ import numpy as np
 
 from repro.filters import Filter
 from repro.filters.families import kalman
-from repro.kernels import random
 from repro.kernels import rao_blackwell_step as kernels
 from repro.kernels.resampling import SCHEMES
 from repro.models import Model
@@ -29,8 +28,9 @@ class Bank(NamedTuple):
 
     def of_columns(self, values: np.ndarray) -> np.ndarray:
         """Values (trials, m) of each column's trial, (columns, m), component-major in memory."""
-        trial = np.arange(len(values)).repeat(np.diff(self.first))
-        return values.T.take(trial, axis=1).T
+        found = np.empty((values.shape[1], self.estimate.shape[1]))
+        kernels.of_columns(np.ascontiguousarray(values, dtype=float), self.first, found)
+        return found.T
 
 
 class Particles(NamedTuple):
@@ -72,20 +72,26 @@ def build(model: Model, settings: RaoBlackwell, update: Update) -> Filter:
     or as printed in (17).
     """
     m, count, chain = len(model.measurement_covariance), settings.particles, model.network
-    of_noise = kalman.noise_log_likelihood(model)
-    drawn = random.padded(count + 1)
+    own = update is column_per_particle
+    of_noise, optimal = kalman.noise_log_likelihood(model), settings.proposal == "optimal"
+    at_first, later = (  # Pr(gamma(k) = 1) after a loss, after an arrival
+        tuple(float(chain.arrival(last)) for last in lasts) for lasts in ((None, None), (0.0, 1.0))
+    )
+    selecting = float(settings.threshold * count), SCHEMES[settings.resampling]
+    spread = settings.covariance == "with spread"
+    rows, drawn = np.empty((2, count)), np.empty(2 * count + 4)
 
     def init(streams: Streams) -> State:
         """Step 1, without its gamma(0), which is drawn as that of any step."""
         trials = len(streams)
-        each = count if update is column_per_particle else 1
+        each = count if own else 1
         first = each * np.arange(trials + 1)
-        own = np.arange(count) if each == count else np.zeros(count, dtype=np.int64)
+        places = np.arange(count) if own else np.zeros(count, dtype=np.int64)
         return State(
             streams.keys(),
             False,
             Bank(*kalman.start(model, trials * each), first),
-            Particles(np.zeros((trials, count)), first[:-1, None] + own),
+            Particles(np.zeros((trials, count)), first[:-1, None] + places),
             log_weights=np.zeros((trials, count)),
             weights=np.full((trials, count), 1 / count),
             mean=np.tile(np.asarray(model.initial_mean, dtype=float), (trials, 1)),
@@ -108,55 +114,36 @@ def build(model: Model, settings: RaoBlackwell, update: Update) -> Filter:
         innovation = kalman.innovate(
             model, bank.estimate, bank.covariance, bank.of_columns(received)
         )
-        particles = Particles(*(values.copy() for values in state.particles))
-        log_weights, weights = state.log_weights.copy(), np.empty_like(state.weights)
-        arrival = (0.0, 1.0) if state.started else (None, None)
-        scratch = np.empty(drawn)
-        kernels.sample(  # step 2
-            state.keys,
-            k,
-            tuple(float(chain.arrival(last)) for last in arrival),
-            settings.proposal == "optimal",
-            innovation.log_likelihood,
-            of_noise(received),
-            particles.column,
-            particles.gamma,
-            log_weights,
-            scratch,
-            np.empty(count),
-        )
-        selection = Selection(
-            np.empty_like(particles.column), np.empty(len(weights), dtype=np.bool_)
-        )
+        gamma, column = state.particles
+        log_weights, weights = np.empty_like(gamma), np.empty_like(gamma)
         degenerate = state.degenerate.copy()
-        kernels.select(  # step 3
+        particles = Particles(np.empty_like(gamma), column if own else column.copy())
+        selection = Selection(np.empty_like(column), np.empty(len(gamma), dtype=np.bool_))
+        kernels.sample_and_select(  # steps 2, 3
             state.keys,
             k,
-            float(settings.threshold * count),
-            SCHEMES[settings.resampling],
-            log_weights,
-            weights,
-            *selection,
-            degenerate,
-            scratch,
+            (later if state.started else at_first, optimal),
+            selecting,
+            (innovation.log_likelihood, of_noise(received), bank.first, own, column),
+            (gamma, state.log_weights),
+            (particles.gamma, log_weights, weights, *selection, degenerate),
+            rows[0],
+            drawn,
         )
         bank, particles = update(bank, innovation, particles, selection)
-        mean = combined(bank.estimate, particles, weights)  # (16), step 4b
+        mean = np.empty_like(state.mean)
+        kernels.means(
+            bank.estimate, bank.first, own, particles.column, weights, mean, rows[0]
+        )  # (16), step 4b
         return State(state.keys, True, bank, particles, log_weights, weights, mean, degenerate)
-
-    def combined(values: np.ndarray, particles: Particles, weights: np.ndarray) -> np.ndarray:
-        """Weighted sum over the particles of (n, columns), (trials, n)."""
-        found = np.empty((len(weights), len(values)))
-        kernels.means(values, particles.column, weights, found, np.empty(count))
-        return found
 
     def variance(state: State) -> np.ndarray:
         """Diagonal of (17), with the spread of the means if the settings say so."""
-        bank = state.bank
-        values = kalman.variances(bank.covariance, len(bank.estimate))
-        if settings.covariance == "with spread":
-            values += (bank.estimate - bank.of_columns(state.mean).T) ** 2
-        return combined(values, state.particles, state.weights)
+        (estimate, covariance, first), column = state.bank, state.particles.column
+        found = np.empty_like(state.mean)
+        known = estimate, covariance, state.mean, spread, first, own, column, state.weights
+        kernels.variances(*known, found, rows)
+        return found
 
     return Filter(
         init,
