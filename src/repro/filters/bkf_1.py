@@ -4,20 +4,19 @@ from typing import Any
 
 from repro.filters import Filter
 from repro.filters.families import extended_kalman
-from repro.filters.families.extended_kalman import Evidence, Weighed
+from repro.filters.families.extended_kalman import Evidence, Weighed, prior_odds
 from repro.models import Model
 from repro.network.channels import Seen
-from repro.network.losses import log_odds
 
 LABEL = "BKF-I"
 SEES = ("received",)
 
 
 def build(model: Model, settings: dict[str, Any]) -> Filter:
-    chain = model.network
+    prior = prior_odds(model.network)
 
     def weigh(seen: Seen, evidence: Evidence, last: Any) -> Weighed:
-        odds = evidence() + log_odds(chain.arrival(last))  # (9), in logs
+        odds = evidence() + prior(last)  # (9), in logs
         estimated = (odds > 0).astype(float)  # (8)
         return estimated, estimated
 

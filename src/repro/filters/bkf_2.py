@@ -8,11 +8,10 @@ from typing import Any
 
 from repro.filters import Filter
 from repro.filters.families import extended_kalman
-from repro.filters.families.extended_kalman import Evidence, Weighed
+from repro.filters.families.extended_kalman import Evidence, Weighed, prior_odds
 from repro.kernels import arrays
 from repro.models import Model
 from repro.network.channels import Seen
-from repro.network.losses import log_odds
 from repro.parameters.settings import MergedHypotheses
 
 LABEL = "BKF-II"
@@ -21,12 +20,11 @@ SEES = ("received",)
 
 def build(model: Model, settings: MergedHypotheses) -> Filter:
     """Setting `prior`: theta (of the loss process), or lambda(k-1) as printed below (11)."""
-    chain, literal = model.network, settings.prior == "lambda(k-1)"
+    prior, literal = prior_odds(model.network), settings.prior == "lambda(k-1)"
 
     def weigh(seen: Seen, evidence: Evidence, last: Any) -> Weighed:
         # Of lambda(k-1) the log odds are kept: lambda itself would round to 0 or 1.
-        prior = last if literal and last is not None else log_odds(chain.arrival(last))
-        odds = evidence() + prior
+        odds = evidence() + (last if literal and last is not None else prior(last))
         arrived = 1 / (1 + arrays.exp(-odds))  # lambda(k) of (11)
         return arrived, odds if literal else arrived
 

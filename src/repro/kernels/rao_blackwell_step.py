@@ -38,7 +38,7 @@ def sample_and_select(keys, k, sampling, selecting, evidence, before, after, row
               given y(k) too
     selecting number of effective particles below which parents are drawn, and the scheme
     before    gamma and log_weights of step k - 1
-    after     of step k: gamma and log_weights before 3c, weights, parents, resampled (trials,)
+    after     of step k: gamma before 3c, log_weights, weights, parents; resampled (trials,)
               bool; degenerate (trials,), to which are added the trials that no particle explains
     evidence  log p(y(k) | Y(k-1), Gamma(k)) for gamma(k) = 1, (columns,), and for 0, (trials,);
               first, own, column
@@ -157,8 +157,12 @@ def means(estimate, first, own, column, weights, out, row):
     """(16): weighted sums over the particles, (trials, n), of estimates (n, columns)."""
     for trial in range(len(out)):
         for i in range(len(estimate)):
-            of_particles(estimate[i], first[trial], own, column[trial], row)
-            out[trial, i] = resampling.weighted_total(weights[trial], row)
+            if own:  # without a copy
+                of_trial = estimate[i, first[trial] : first[trial + 1]]
+                out[trial, i] = resampling.weighted_total(weights[trial], of_trial)
+            else:
+                of_particles(estimate[i], first[trial], own, column[trial], row)
+                out[trial, i] = resampling.weighted_total(weights[trial], row)
 
 
 @kernel

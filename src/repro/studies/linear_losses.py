@@ -94,7 +94,7 @@ class LinearLosses(Study):
 
     Parameters = Parameters
     Analysis = Analysis
-    systems_per_block = 10000  # few calls of NumPy, whose rows stay in the cache
+    systems_per_block = 20000  # a call of NumPy costs as much as hundreds of systems
 
     def topics(self, parameters: Parameters) -> Fields:
         return {

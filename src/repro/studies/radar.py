@@ -111,7 +111,7 @@ class Radar(Study):
 
     Parameters = Parameters
     Analysis = Analysis
-    systems_per_block = 8000  # few calls of NumPy, whose rows stay in the cache
+    systems_per_block = 20000  # a call of NumPy costs as much as hundreds of systems
     keeps_claimed_variance = False  # no table shows them
     trajectory = (("p1", "p2"),)
     error_unit = "m"

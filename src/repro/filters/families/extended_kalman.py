@@ -12,6 +12,7 @@ from repro.filters import Filter
 from repro.filters.families import kalman
 from repro.models import Model
 from repro.network.channels import Seen
+from repro.network.losses import Losses, log_odds
 from repro.streams import Streams
 
 Evidence = Callable[[], np.ndarray]  # log N(e; 0, S) - log N(y; 0, R), (trials,)
@@ -68,3 +69,14 @@ def build(model: Model, weigh: Weigh, spread: bool = False, channel: str = "rece
         variance=lambda state: kalman.variances(state.covariance, len(state.estimate)).T,
         arrived=lambda state: np.broadcast_to(state.weight, state.estimate.shape[1:]),
     )
+
+
+def prior_odds(chain: Losses) -> Callable[[Any], Any]:
+    """Log odds of gamma(k) = 1 after what is kept of gamma(k-1), None at the first packet."""
+    first = log_odds(chain.first)
+
+    def odds(last: Any) -> Any:
+        probability = chain.arrival(last)
+        return log_odds(probability) if isinstance(probability, np.ndarray) else first
+
+    return odds
