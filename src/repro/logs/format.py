@@ -45,6 +45,16 @@ class Log(NamedTuple):
         return self.values[topic][:, :, self.fields[topic].index(name)]
 
 
+def selected(log: Log, fields: dict[str, tuple[str, ...]]) -> Log:
+    """The log with these topics and fields alone."""
+    values = {}
+    for topic, names in fields.items():
+        places = [log.fields[topic].index(name) for name in names]
+        whole = names == log.fields[topic]
+        values[topic] = log.values[topic] if whole else log.values[topic][:, :, places]
+    return log._replace(fields=fields, values=values)
+
+
 def schema_name(study: str, topic: str) -> str:
     """Name of the message type of a topic: repro_msgs/msg/<StudyTopic>."""
     words = f"{study}_{topic}".replace("/", "_").split("_")

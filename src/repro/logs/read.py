@@ -32,7 +32,7 @@ def read_log(
 ) -> Log:
     """Read a log and check it against the expected topics, study, point and origin, where given.
 
-    Raises LogError with one line that names the file, the topic and the cause: truncated or
+    What its study leaves out of logs is added. Raises LogError with one line that names the file, the topic and the cause: truncated or
     changed bytes (every CRC of the format is checked), a missing topic, another schema, missing or
     repeated steps, another study.
     """
@@ -55,11 +55,11 @@ def read_log(
         )
     if origin is not None:
         check_origin(str(path), provenance.get("origin", ""), origin)
-    topics = fields if fields is not None else _own_fields(content)
+    topics = fields if fields is not None else own_fields(content)
     scenario = plugins.study(provenance["study"])
     once, between = scenario.constant_topics, scenario.topics_between_steps
     trials, values = read_topics(content, topics, _topic, once, between)
-    return Log(
+    log = Log(
         study=provenance["study"],
         point=provenance["point"],
         seed=root_seed(content),
@@ -68,6 +68,8 @@ def read_log(
         fields=dict(topics),
         values=values,
     )
+    left_out = log.fields == scenario.stored(log.parameters) != scenario.topics(log.parameters)
+    return scenario.complete(log) if left_out else log
 
 
 def logged_origin(path: str | Path) -> str:
@@ -99,7 +101,7 @@ def _parameters(content: Content, study: str) -> PointParameters:
     )
 
 
-def _own_fields(content: Content) -> dict[str, tuple[str, ...]]:
+def own_fields(content: Content) -> dict[str, tuple[str, ...]]:
     """Topics and fields as the log's own schemas give them."""
     fields = {}
     for topic in content.channels:

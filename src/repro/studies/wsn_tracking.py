@@ -201,6 +201,16 @@ class WsnTracking(Study):
             ),
         }
 
+    def derived(self, parameters: Parameters) -> Fields:
+        return {"/sensor": self.topics(parameters)["/sensor"][1:]}  # three quarters of a log
+
+    def complete(self, log: Log) -> Log:
+        noise = np.ascontiguousarray(log.field("/sensor", "noise"))
+        sensor = np.empty((*noise.shape, log.parameters.sensors + 1))
+        turn_and_schedule.ranges(log.values["/truth"], positions(log), noise, sensor)
+        fields = self.topics(log.parameters)
+        return log._replace(fields=fields, values=log.values | {"/sensor": sensor})
+
     def model(self, parameters: Parameters) -> Model:
         process_covariance = np.zeros((len(STATE), len(STATE)))
         process_covariance[4, 4] = parameters.turn_rate_variance

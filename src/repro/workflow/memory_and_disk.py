@@ -74,11 +74,13 @@ def _sizes(study: str, parameters: PointParameters, shards: int) -> dict[str, fl
     rows = -(-parameters.trials // shards) * (parameters.steps + 1)
     of_each_step = [fields for t, fields in topics.items() if t not in scenario.constant_topics]
     messages = rows * sum(MESSAGE + 8 * len(fields) for fields in of_each_step)
+    stored = scenario.stored(parameters)
+    left_out = sum(len(names) - len(stored[topic]) for topic, names in topics.items())
     states = len(topics.get("/truth") or scenario.model(parameters).initial_mean)
     kept = len(scenario.kept_components or range(states))
     return {
         "messages": messages,
-        "logs": COMPRESSED * messages,
+        "logs": COMPRESSED * (messages - 8 * rows * left_out),
         "runs": 4 * KEPT * rows * kept,
     }
 
