@@ -32,9 +32,9 @@ def read_log(
 ) -> Log:
     """Read a log and check it against the expected topics, study, point and origin, where given.
 
-    What its study leaves out of logs is added. Raises LogError with one line that names the file, the topic and the cause: truncated or
-    changed bytes (every CRC of the format is checked), a missing topic, another schema, missing or
-    repeated steps, another study.
+    What its study leaves out of logs is added. Raises LogError with one line that names the file,
+    the topic and the cause: truncated or changed bytes (every CRC of the format is checked), a
+    missing topic, another schema, missing or repeated steps, another study.
     """
     content = Content(path)
     provenance = content.provenance

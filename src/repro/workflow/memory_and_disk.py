@@ -17,7 +17,7 @@ from repro.parameters.values import PointParameters
 
 MB, GB = 1e6, 1e9
 MESSAGE = 51  # bytes of a message besides its values, its index entry included
-COMPRESSED = 0.55  # of a log
+COMPRESSED = 0.45  # of a log
 KEPT = 1.4  # numbers in the file of runs, for each component of the error that it keeps
 JOB = 100 * MB  # of a process that has imported what it needs
 HELD = 1.6  # bytes in the memory of a job, for each byte of its log before compression
