@@ -26,6 +26,7 @@ from repro.statistics.shards import Shards
 from repro.studies import Fields, Integers, Rows, StreamsOf, Study
 
 STATE = ("px", "py", "vx", "vy", "omega")
+POSITION = (STATE.index("px"), STATE.index("py"))
 
 
 class Parameters(PointParameters):
@@ -154,7 +155,7 @@ class WsnTracking(Study):
     systems_per_block = 1000
     trajectory = (("px", "py"),)
     error_unit = "m"
-    kept_components = (STATE.index("px"), STATE.index("py"))
+    kept_components = POSITION
     constant_topics = ("/field",)
     log_remark = (
         "a filter's own prediction chooses the sensor, so the log must have the range to every "
