@@ -1,6 +1,6 @@
 """Reading a log of this project into arrays, with every check against a wrong number."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -127,21 +127,27 @@ def _topic(content: Content, topic: str, fields: tuple[str, ...]) -> Topic:
             f"{where}: wrong schema '{schema.name}': the expected fields are "
             f"trial, step, {', '.join(fields)}"
         )
-    return arrange(where, *_from_cdr(content.records(where, channel.id), where, len(fields)))
+    return arrange(where, *_from_cdr(content.runs[channel.id], where, len(fields)))
 
 
 # Trial and step of each message, (messages,), and its values, (messages, fields).
 Messages = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
-def _from_cdr(records: np.ndarray, where: str, fields: int) -> Messages:
-    dtype = record_dtype(fields)
-    if records.shape[1] != dtype.itemsize:
-        raise LogError(f"{where}: messages of another size than their schema says")
-    payload = np.ascontiguousarray(records).view(dtype)[:, 0]["payload"]
-    if not (payload["cdr"] == CDR_LITTLE_ENDIAN).all():
-        raise LogError(f"{where}: messages are not little-endian cdr")
-    return payload["trial"], payload["step"], payload["values"]
+def _from_cdr(runs: Iterable[np.ndarray], where: str, fields: int) -> Messages:
+    """From runs of records as bytes, (messages, size)."""
+    dtype, payloads = record_dtype(fields), []
+    for run in runs:
+        if run.shape[1] != dtype.itemsize:
+            raise LogError(f"{where}: messages of another size than their schema says")
+        payloads.append(run.view(dtype)[:, 0]["payload"])
+        if not (payloads[-1]["cdr"] == CDR_LITTLE_ENDIAN).all():
+            raise LogError(f"{where}: messages are not little-endian cdr")
+    trial, step, values = (
+        np.concatenate([payload[name] for payload in payloads])
+        for name in ("trial", "step", "values")
+    )
+    return trial, step, values
 
 
 def _from_json(content: Content, where: str, channel: int, fields: tuple[str, ...]) -> Messages:
