@@ -13,6 +13,9 @@ from repro.verdicts.claims import overall, possible_overall
 
 VERDICTS = {"value": ("match", "differs"), "claim": ("holds", "fails", "undecided")}
 REPRODUCED = ("match", "holds")
+ON_EDGE = (
+    "On the edge: our number is so near the limit that another root seed may decide otherwise."
+)
 KEYS = ["study", "point", "filter", "metric", "component"]
 DIFF_COLUMNS = [
     *("paper", "item", "kind", *KEYS, "published", "ours", "mcse", "their_error", "allowed", "z"),
@@ -115,7 +118,7 @@ def compare(
         yield compared | {
             "expect": row["expect"],
             "as_expected": row["expect"] in possible,
-            "reason": row["reason"],
+            "reason": row["reason"] or ON_EDGE * (len(possible) > 1),
         }
     if parts_of:
         raise ReproError(f"{source}: the tested claim '{next(iter(parts_of))}' has no row here")
