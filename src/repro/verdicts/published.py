@@ -13,9 +13,7 @@ from repro.verdicts.claims import overall, possible_overall
 
 VERDICTS = {"value": ("match", "differs"), "claim": ("holds", "fails", "undecided")}
 REPRODUCED = ("match", "holds")
-ON_EDGE = "On the edge: our number is so near the limit that another root seed may decide else."
-    "On the edge: our number is so near the limit that another root seed may decide otherwise."
-)
+ON_EDGE = "On the edge: our number is so near the limit that another root seed may decide otherwise"
 KEYS = ["study", "point", "filter", "metric", "component"]
 DIFF_COLUMNS = [
     *("paper", "item", "kind", *KEYS, "published", "ours", "mcse", "their_error", "allowed", "z"),
