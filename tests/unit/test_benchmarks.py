@@ -29,15 +29,14 @@ def test_kalman_filters_agree(side_by_side, peer, study):
 @pytest.mark.parametrize(
     ("library", "peer"), [("particles", "particles_library"), ("jax", "jax_bootstrap")]
 )
-def test_particle_filters_have_the_same_error(side_by_side, library, peer, study):
+def test_particle_filters_estimate_the_same(side_by_side, library, peer, study):
     pytest.importorskip(library)
-    trials, count = 12, 200
+    trials, count = 4, 5000  # so many that all come near the exact posterior mean
     given = side_by_side.problem("energy_harvesting", study, "base", trials)
     settings = given.settings["pf_ross_eh"] | {"particles": count}
     given = given._replace(settings={"pf_ross_eh": settings})
     ours = side_by_side.of_project(given, "pf_ross_eh")().estimate
     theirs = importlib.import_module(f"peers.{peer}").bootstrap(given.log, count, trials)()
-    of_each = (side_by_side.squared_errors(given.log, x) for x in (ours, theirs))
-    difference = np.subtract(*map(np.sqrt, of_each))
-    assert abs(difference.mean()) < 4 * difference.std(ddof=1) / trials**0.5
-    assert np.corrcoef(ours[..., 0].ravel(), theirs[..., 0].ravel())[0, 1] > 0.9
+    error = ours - given.log.values["/truth"][:, 1:]
+    apart = np.sqrt(((theirs - ours) ** 2).mean(axis=(0, 1)) / (error**2).mean(axis=(0, 1)))
+    assert (apart < 0.4).all()  # two seeds of ours differ by 0.2 in rss_2d
