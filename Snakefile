@@ -49,3 +49,8 @@ onstart:
 
 onsuccess:
     print_tally()
+    stop_timers()
+
+
+onerror:
+    stop_timers()

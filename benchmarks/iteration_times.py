@@ -6,14 +6,13 @@ overwrites params/measured/unknown_losses_iteration_times.csv with this machine'
 does: a rebuild gives the same bytes on any machine.
 """
 
-import os
-import platform
 import time
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
+from side_by_side import processor
 
 from repro.logs import Log
 from repro.papers.unknown_losses.claims.particles import TIMES
@@ -26,15 +25,6 @@ ROOT = Path(__file__).parent.parent
 MEASURED = ROOT / TIMES
 STEPS, ROUNDS = 100, 6
 SECONDS = 0.4  # for which a round repeats; its best time counts
-
-
-def processor() -> str:
-    """Model of the processor and number of cores."""
-    lines = Path("/proc/cpuinfo")
-    if not lines.exists():
-        return platform.processor()
-    name = next(line for line in lines.read_text().splitlines() if line.startswith("model name"))
-    return f"{name.split(':')[1].strip()}, {os.cpu_count()} cores"
 
 
 def best_time(log: Log, name: str, settings: dict[str, Any]) -> float:

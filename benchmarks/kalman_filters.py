@@ -1,94 +1,68 @@
-"""CPU time of the filters for unknown losses: python benchmarks/kalman_filters.py
+"""CPU time of the filters for unknown losses, and of EKF beside FilterPy and NumPy.
 
-Limits, with the runner's work: a Kalman update 250 ns a trial-step (n = 2, m = 1; n = 6, m = 2 in
-larger batches); the RBPF 60 and 180 ns a particle-step, on a loaded machine. FilterPy, an object a
-trial, is timed beside the plain update.
+    python benchmarks/kalman_filters.py [--short]
+
+FilterPy, an object a trial, needs the `bench` extra and is left out without it. The peers solve
+EKF's problem: every received value is a measurement. --short takes fewer trials.
 """
 
-import time
-from collections.abc import Callable
-from functools import partial
-from pathlib import Path
-from typing import Any
+import _as_in_jobs  # noqa: F401  # isort: skip
 
-import numpy as np
-from filterpy.kalman import ExtendedKalmanFilter, KalmanFilter
+import importlib
+import sys
 
-from repro import plugins
-from repro.logs import Log
-from repro.models import Model
-from repro.models.sparse import dense
-from repro.parameters.load import load_paper
-from repro.runner import run
-from repro.simulate import simulated
+from side_by_side import Contender, compared, introduce, of_peer, of_project, problem, sizes
 
-ROOT = Path(__file__).parent.parent
-SECONDS = 3.0  # for which a filter is run again and again; its best time counts
-LIMITS = {("linear_losses", False): 250, ("radar", False): 250}
-LIMITS |= {("linear_losses", True): 60, ("radar", True): 180}  # ns
+STUDIES = {  # states, goals of a Kalman update and of a particle in ns, trials of the RBPF
+    "linear_losses": (2, 80.0, 20.0, 500),
+    "radar": (6, 160.0, 60.0, 80),
+}
+TRIALS, OF_FILTERPY = 6000, 20
+UPDATES = ("ekf", "iekf", "bkf_1", "bkf_2")
+PEERS = {"NumPy, batched": ("peers.numpy_kalman", TRIALS)}
+PEERS |= {"FilterPy": ("peers.filterpy_filters", OF_FILTERPY)}
 
 
-def cpu(function: Callable[[], object]) -> float:
-    """Best CPU time in s."""
-    times, end = [], time.perf_counter() + SECONDS
-    while time.perf_counter() < end:
-        start = time.process_time()
-        function()
-        times.append(time.process_time() - start)
-    return min(times)
+def updates(study: str, repetitions: int, shorter: int) -> bool:
+    """Filters with one Kalman update a step, and EKF of the peers."""
+    n, goal, *_ = STUDIES[study]
+    trials = TRIALS // shorter
+    given = problem("unknown_losses", study, "loss=0.5", trials)
+    filters = [
+        Contender(name.upper().replace("_", "-"), of_project(given, name), trials, goal=goal)
+        for name in UPDATES
+    ]
+    for name, (module, most) in PEERS.items():
+        try:
+            peer = importlib.import_module(module)
+        except ImportError as error:
+            print(f"{name} is left out: {error}")
+            continue
+        few = max(2, most // shorter)
+        filters.append(Contender(name, of_peer(peer.filtered(given.log, few)), few, is_peer=True))
+    return compared(f"{study}, n = {n}", "trial-step", given.log, filters, repetitions)
 
 
-def filterpy_steps(log: Log, model: Model) -> None:
-    """Predict and update of the first trial at every step, as if no packet were lost."""
-    n, m = len(model.initial_mean), len(model.measurement_covariance)
-    linear = log.study == "linear_losses"
-    filter_: Any = (KalmanFilter if linear else ExtendedKalmanFilter)(dim_x=n, dim_z=m)
-    filter_.x, filter_.P = model.initial_mean[:, None].copy(), model.initial_covariance.copy()
-    filter_.F = dense(model.transition_jacobian(model.initial_mean, 0), (), n)
-    filter_.Q, filter_.R = model.process_covariance, model.measurement_covariance
-
-    def jacobian(x):
-        return dense(model.measurement_jacobian(x[:, 0], None), (), n)
-
-    if linear:
-        filter_.H = jacobian(filter_.x)
-    for received in log.values["/received"][0]:
-        filter_.predict()
-        if linear:
-            filter_.update(received[:, None])
-        else:
-            filter_.update(
-                received[:, None],
-                jacobian,
-                lambda x: model.measurement(x[:, 0], None)[:, None],
-                residual=lambda y, h: model.innovation(y[:, 0], h[:, 0])[:, None],
-            )
+def rao_blackwell(study: str, repetitions: int, shorter: int) -> bool:
+    """RBPF and its fast form, of which no library has the like."""
+    n, _, goal, most = STUDIES[study]
+    trials = max(2, most // shorter)
+    given = problem("unknown_losses", study, "loss=0.5", trials)
+    count = given.settings["rbpf"]["particles"]
+    filters = [
+        Contender("RBPF", of_project(given, "rbpf"), trials, count, goal),
+        Contender("Fast RBPF", of_project(given, "rbpf_fast"), trials, count),
+    ]
+    title = f"{study}, n = {n}, {count} particles"
+    return compared(title, "particle-step", given.log, filters, repetitions)
 
 
-def main() -> None:
-    paper = load_paper(ROOT / "params" / "unknown_losses.yaml")
-    for study in ("linear_losses", "radar"):
-        parameters, filters, *_ = paper.studies[study]["loss=0.5"]
-        trials = parameters.trials
-        log = simulated(study, "loss=0.5", parameters, 0, np.arange(trials))
-        steps = log.values["/truth"].shape[1]
-        for name in ("ekf", "iekf", "bkf_1", "bkf_2", "rbpf", "rbpf_fast"):
-            particles = filters.get(name, {}).get("particles", 1)
-            first = trials if particles < 100 else 80
-            few = log._replace(
-                trials=log.trials[:first],
-                values={topic: values[:first] for topic, values in log.values.items()},
-            )
-            settings = filters.get(name, {})
-            seconds = cpu(partial(run, few, name, settings))
-            spent = seconds / len(few.trials) / steps / particles * 1e9
-            limit = LIMITS[study, particles > 1]
-            unit = "particle-step" if particles > 1 else "trial-step"
-            print(f"{study:14} {name:10} {spent:8.0f} ns a {unit} (limit {limit})")
-        model = plugins.study(study).model(parameters)
-        spent = cpu(partial(filterpy_steps, log, model)) / steps * 1e9
-        print(f"{study:14} FilterPy   {spent:8.0f} ns a trial-step")
+def main(repetitions: int, shorter: int) -> bool:
+    """All tables; whether every goal is reached."""
+    tables = [f(study, repetitions, shorter) for study in STUDIES for f in (updates, rao_blackwell)]
+    return all(tables)
 
 
 if __name__ == "__main__":
-    main()
+    introduce()
+    sys.exit(0 if main(*sizes()) else 1)

@@ -24,11 +24,14 @@ def measured(study: str, trials: int, shards: int) -> tuple[str, bytes]:
         table = Path(into) / "results" / "tables" / f"{study}.csv"
         config = [f"trials={trials}", f"shards={shards}", f"into={into}"]
         begun = time.perf_counter()
-        subprocess.run(
+        ended = subprocess.run(
             ["snakemake", "-j2", "--quiet", "all", "--config", *config, "--", str(table)],
             cwd=ROOT,
-            check=True,
+            capture_output=True,
+            text=True,
         )
+        if ended.returncode != 0:
+            sys.exit(ended.stderr)
         wall = time.perf_counter() - begun
         logs = list((Path(into) / "results" / "job_logs").rglob("*.log"))
         usage = {log: [float(x) for x in USAGE.findall(log.read_text())[-1]] for log in logs}

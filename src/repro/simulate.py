@@ -7,7 +7,7 @@ import numpy as np
 
 from repro import plugins
 from repro.errors import computing
-from repro.logs import Log, write_log
+from repro.logs import Log, selected, write_log
 from repro.parameters.values import PointParameters
 from repro.streams import Streams
 
@@ -44,4 +44,6 @@ def simulate(
     typed = scenario.Parameters.checked(parameters, f"{study}, {point}: parameters")
     with computing(f"{study}, {point}"):
         log = simulated(study, point, typed, seed, np.arange(*trials))
-        write_log(path, log, scenario.period(typed), origin=origin)
+        write_log(
+            path, selected(log, scenario.stored(typed)), scenario.period(typed), origin=origin
+        )

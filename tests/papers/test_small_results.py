@@ -4,6 +4,7 @@ They run here for the first time, and not at the end of the long build. Two filt
 own run with the registered ones. They have only what a filter must have: init, step and mean.
 """
 
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
@@ -17,6 +18,7 @@ import pytest
 
 from repro.filters import Filter
 from repro.inspect.view import write_view
+from repro.layout import Layout
 from repro.pages.assumptions import write_assumptions
 from repro.pages.leaderboard import write_leaderboard
 from repro.pages.verdicts import write_diff
@@ -131,7 +133,7 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> Build:
             table, curves = results.layout.table(study), results.layout.curves(study)
             tabulate(results, study, created(table), created(curves))
             tabulate_ranking(results, study, *map(created, ranking_files(results, study)))
-        compute([results.layout.table(table) for table in computed_tables(paper)], folder)
+        compute(computed_tables(paper), results.layout, folder / "computed")
         return Small(paper, results)
 
     return build
@@ -147,13 +149,17 @@ def computed_tables(paper: Paper) -> list[str]:
     return [name for name in studies if name not in paper.studies]
 
 
-def compute(tables: list[str], folder: Path) -> None:
-    """Make tables by their rules, into the folder."""
-    if tables:
-        command = [sys.executable, "-m", "snakemake", *tables, "-j1", "--nolock"]
-        subprocess.run(
-            [*command, "--config", f"into={folder}"], cwd=ROOT, capture_output=True, check=True
-        )
+def compute(tables: list[str], layout: Layout, folder: Path) -> None:
+    """Make tables by their rules, in a folder of their own, for Snakemake takes no other's."""
+    if not tables:
+        return
+    made = [Layout(folder / "results").table(table) for table in tables]
+    command = [sys.executable, "-m", "snakemake", *made, "-j1", "--nolock"]
+    subprocess.run(
+        [*command, "--config", f"into={folder}"], cwd=ROOT, capture_output=True, check=True
+    )
+    for table, file in zip(tables, made, strict=True):
+        shutil.copy(file, layout.table(table))
 
 
 def run_study(results: Results, study: str, points: dict[str, Point]) -> None:

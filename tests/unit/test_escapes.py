@@ -42,7 +42,7 @@ def assert_shown(template, text, **given):
 
 def table(text):
     row = {"paper": "p", "kind": "claim", "item": text, "statement": text, "evidence": "e"}
-    row |= {"verdict": "fails", "reason": text, "as_expected": True}
+    row |= {"verdict": "fails", "reason": text, "as_expected": True, "on_edge": False}
     return pd.DataFrame([row])
 
 

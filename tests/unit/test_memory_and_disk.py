@@ -4,11 +4,12 @@ from pathlib import Path
 
 import pytest
 
+from repro import plugins
 from repro.errors import ReproError
 from repro.inspect.interface import study
 from repro.inspect.quick_ranking import quick_ranking
 from repro.layout import Layout
-from repro.logs import write_log
+from repro.logs import selected, write_log
 from repro.runner import FilteredPoint, run_filter
 from repro.workflow.memory_and_disk import (
     GB,
@@ -41,7 +42,8 @@ def test_the_estimate_of_the_disk_is_near_what_is_written(tmp_path):
     for file in (log, runs):
         Path(file).parent.mkdir(parents=True)
     steps = points()[STUDY][POINT].parameters.steps
-    write_log(log, small_log(STUDY, POINT, trials=50, steps=steps), 0.1)
+    whole = small_log(STUDY, POINT, trials=50, steps=steps)
+    write_log(log, selected(whole, plugins.study(STUDY).stored(whole.parameters)), 0.1)
     of_point = FilteredPoint(log, points()[STUDY][POINT].filters["emvf"])
     run_filter(STUDY, "emvf", {POINT: of_point}, runs)
     written = sum(Path(file).stat().st_size for file in (log, runs))

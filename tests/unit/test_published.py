@@ -7,7 +7,7 @@ from docutils.core import publish_parts
 from repro.errors import ReproError
 from repro.pages.markdown import markdown_table
 from repro.pages.verdicts import markdown_page, report_page, tally_lines
-from repro.verdicts.claims import Part, below, most, overall, smaller
+from repro.verdicts.claims import Part, below, most, overall, possible_overall, smaller
 from repro.verdicts.published import COLUMNS, compare, compare_value, read_published, verify
 
 
@@ -53,6 +53,34 @@ def test_verdict_of_a_claim():
     assert overall(["holds", "undecided", "fails"]) == "fails"
 
 
+def test_a_verdict_on_the_edge_may_be_another_with_another_seed():
+    """As many standard errors of our number as decide may move it over the limit."""
+    assert Part("", -0.61, 0.1).possible(3) == {"holds"}
+    assert Part("", -0.31, 0.1).possible(3) == {"holds", "undecided"}
+    assert Part("", 0.31, 0.1).possible(3) == {"fails", "undecided"}
+    assert below("", 1.0, 2.0).possible(3) == {"holds"}
+    assert below("", 2.1, 2.0, seed_error=0.1).possible(3) == {"holds", "fails"}
+    edges = [compare_value(5.0, 2, 100, ours(v, 0.1, 400), 3.0)["on_edge"] for v in (5.3, 5.6, 6.1)]
+    assert edges == [False, True, False]
+
+
+def test_the_possible_verdicts_of_a_claim():
+    both, sure = {"holds", "undecided"}, {"holds"}
+    assert possible_overall([sure, sure]) == {"holds"}
+    assert possible_overall([sure, both]) == {"holds", "undecided"}
+    assert possible_overall([{"fails"}, both]) == {"fails"}
+    assert possible_overall([{"fails", "undecided"}, both]) == {"fails", "undecided"}
+
+
+def test_a_verdict_on_the_edge_is_no_surprise():
+    claims = CLAIMS.assign(verdict="undecided", possible="holds undecided")
+    rows = pd.concat([published(), published(item="C1", kind="claim", expect="holds")])
+    table = TABLE.assign(value=2.15, mcse=0.02)
+    diff = pd.DataFrame(compare("paper", rows, table, claims, 3.0, "file"))
+    assert diff["verdict"].tolist() == ["differs", "undecided"]
+    assert diff["as_expected"].all() and diff["on_edge"].all()
+
+
 def test_parts_are_paired():
     common = np.random.default_rng(0).normal(scale=100, size=50)
     part = smaller("", common + np.linspace(0, 1, 50), common + 1.0)
@@ -86,7 +114,7 @@ TABLE = pd.DataFrame(
 ).assign(value=2.2, mcse=0.01, trials=100)
 CLAIMS = pd.DataFrame(
     {"item": ["C1"], "statement": ["A < B"], "part": ["a"], "difference": [1.0]}
-).assign(mcse=0.1, verdict="fails")
+).assign(mcse=0.1, verdict="fails", possible="fails")
 
 
 def test_rows_of_the_diff_and_the_tally():
@@ -97,7 +125,7 @@ def test_rows_of_the_diff_and_the_tally():
     (line,) = tally_lines(diff)
     assert line == (
         "paper: 1 values: 0 match, 1 differs; 1 claims: 0 holds, 1 fails, 0 undecided; "
-        "1 not as expected"
+        "1 not as expected, 0 on the edge"
     )
 
 

@@ -2,6 +2,7 @@
 import os
 import subprocess
 import sys
+import threading
 from functools import cache
 from pathlib import Path
 
@@ -360,6 +361,13 @@ def print_needs():
     needed = estimated_needs(made, LAYOUT, STUDIES, RUN.shards, workflow.cores if local else 1)
     if needed.jobs:
         print(or_exit(check_needs, needed, free(LAYOUT.root), LAYOUT.root, local=local))
+
+
+def stop_timers():
+    """End the timers of Snakemake's scheduler, for which its end would wait."""
+    for thread in threading.enumerate():
+        if isinstance(thread, threading.Timer):
+            thread.cancel()
 
 
 def print_tally():

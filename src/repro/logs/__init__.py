@@ -5,8 +5,8 @@ its trial and step, encoded as cdr with a ros2msg schema; trials lie end to end 
 Logs recorded elsewhere are read by `repro.logs.user_log`, which the ordinary run does not import.
 """
 
-from repro.logs.format import Log, LogError
+from repro.logs.format import Log, LogError, selected
 from repro.logs.read import logged_origin, read_log
 from repro.logs.write import write_log
 
-__all__ = ["Log", "LogError", "logged_origin", "read_log", "write_log"]
+__all__ = ["Log", "LogError", "logged_origin", "read_log", "selected", "write_log"]

@@ -23,6 +23,7 @@ from repro.logs.format import (
     LogError,
     payload_dtype,
     record_dtype,
+    record_head_dtype,
 )
 
 CHANNEL_ID = struct.Struct("<H")
@@ -164,13 +165,6 @@ class Content:
         channel = self.channels[topic]
         return channel, self.schemas.get(channel.schema_id)
 
-    def records(self, where: str, channel: int) -> np.ndarray:
-        """Message records of a channel as bytes, (messages, size), all of one size."""
-        runs = self.runs[channel]
-        if any(run.shape[1] != runs[0].shape[1] for run in runs):
-            raise LogError(f"{where}: messages of different sizes")
-        return np.concatenate(runs) if len(runs) > 1 else runs[0]
-
     def messages(self, channel: int) -> tuple[list[bytes], np.ndarray]:
         """Payloads of a channel's messages, of any sizes, and their log times in ns."""
         runs = self.runs[channel]
@@ -235,12 +229,14 @@ def _stream(data: bytes, start: int, end: int) -> ReadDataStream:
 def _equal_records(data: bytes, start: int, end: int, stop: int) -> np.ndarray:
     """The run of records from `start` with the opcode, length and channel of the first."""
     size = end - start
-    head = np.frombuffer(data, np.uint8, RECORD_HEAD.size + CHANNEL_ID.size, start)
     fitting = (stop - start) // size
     table = np.frombuffer(data, np.uint8, fitting * size, start).reshape(fitting, size)
+    heads = np.frombuffer(data, record_head_dtype(size), fitting, start)
     ahead = 1
     while ahead < fitting:  # doubled, so that messages of mixed sizes cost linear time
-        same = (table[ahead : 2 * ahead, : len(head)] == head).all(axis=1)
+        some = heads[ahead : 2 * ahead]
+        same = (some["length"] == heads["length"][0]) & (some["channel"] == heads["channel"][0])
+        same &= some["opcode"] == heads["opcode"][0]
         if not same.all():
             return table[: ahead + int(same.argmin())]
         ahead *= 2

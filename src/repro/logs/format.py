@@ -12,7 +12,7 @@ MAGIC = b"\x89MCAP0\r\n"
 PROFILE = "ros2"
 ENCODING = "cdr"
 SCHEMA_ENCODING = "ros2msg"
-CDR_LITTLE_ENDIAN = np.frombuffer(b"\x00\x01\x00\x00", dtype=np.uint8)
+CDR_LITTLE_ENDIAN = 0x00000100  # the encapsulation header 00 01 00 00 as a little-endian number
 PROVENANCE = "provenance"  # Metadata record: study, point, seed, trials
 PARAMETERS = "parameters.json"  # Attachment: the resolved parameters of the point
 RECORD_HEAD = struct.Struct("<BQ")  # opcode and length of a record
@@ -45,6 +45,16 @@ class Log(NamedTuple):
         return self.values[topic][:, :, self.fields[topic].index(name)]
 
 
+def selected(log: Log, fields: dict[str, tuple[str, ...]]) -> Log:
+    """The log with these topics and fields alone."""
+    values = {}
+    for topic, names in fields.items():
+        places = [log.fields[topic].index(name) for name in names]
+        whole = names == log.fields[topic]
+        values[topic] = log.values[topic] if whole else log.values[topic][:, :, places]
+    return log._replace(fields=fields, values=values)
+
+
 def schema_name(study: str, topic: str) -> str:
     """Name of the message type of a topic: repro_msgs/msg/<StudyTopic>."""
     words = f"{study}_{topic}".replace("/", "_").split("_")
@@ -62,7 +72,7 @@ def schema_text(fields: tuple[str, ...]) -> bytes:
 def payload_dtype(fields: int) -> np.dtype:
     """A cdr-encoded message: encapsulation header, trial, step, values (aligned as they are)."""
     return np.dtype(
-        [("cdr", "u1", 4), ("trial", "<u4"), ("step", "<u4"), ("values", "<f8", (fields,))]
+        [("cdr", "<u4"), ("trial", "<u4"), ("step", "<u4"), ("values", "<f8", (fields,))]
     )
 
 
@@ -78,6 +88,15 @@ def record_dtype(fields: int) -> np.dtype:
             ("publish_time", "<u8"),
             ("payload", payload_dtype(fields)),
         ]
+    )
+
+
+def record_head_dtype(size: int) -> np.dtype:
+    """What tells the records of one channel, of this size, from others."""
+    heads = {"opcode": ("u1", 0), "length": ("<u8", 1), "channel": ("<u2", RECORD_HEAD.size)}
+    formats, offsets = zip(*heads.values(), strict=True)
+    return np.dtype(
+        {"names": list(heads), "formats": formats, "offsets": offsets, "itemsize": size}
     )
 
 

@@ -1,6 +1,6 @@
 """Reading a log of this project into arrays, with every check against a wrong number."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -32,9 +32,9 @@ def read_log(
 ) -> Log:
     """Read a log and check it against the expected topics, study, point and origin, where given.
 
-    Raises LogError with one line that names the file, the topic and the cause: truncated or
-    changed bytes (every CRC of the format is checked), a missing topic, another schema, missing or
-    repeated steps, another study.
+    What its study leaves out of logs is added. Raises LogError with one line that names the file,
+    the topic and the cause: truncated or changed bytes (every CRC of the format is checked), a
+    missing topic, another schema, missing or repeated steps, another study.
     """
     content = Content(path)
     provenance = content.provenance
@@ -55,11 +55,11 @@ def read_log(
         )
     if origin is not None:
         check_origin(str(path), provenance.get("origin", ""), origin)
-    topics = fields if fields is not None else _own_fields(content)
+    topics = fields if fields is not None else own_fields(content)
     scenario = plugins.study(provenance["study"])
     once, between = scenario.constant_topics, scenario.topics_between_steps
     trials, values = read_topics(content, topics, _topic, once, between)
-    return Log(
+    log = Log(
         study=provenance["study"],
         point=provenance["point"],
         seed=root_seed(content),
@@ -68,6 +68,8 @@ def read_log(
         fields=dict(topics),
         values=values,
     )
+    left_out = log.fields == scenario.stored(log.parameters) != scenario.topics(log.parameters)
+    return scenario.complete(log) if left_out else log
 
 
 def logged_origin(path: str | Path) -> str:
@@ -99,7 +101,7 @@ def _parameters(content: Content, study: str) -> PointParameters:
     )
 
 
-def _own_fields(content: Content) -> dict[str, tuple[str, ...]]:
+def own_fields(content: Content) -> dict[str, tuple[str, ...]]:
     """Topics and fields as the log's own schemas give them."""
     fields = {}
     for topic in content.channels:
@@ -125,21 +127,27 @@ def _topic(content: Content, topic: str, fields: tuple[str, ...]) -> Topic:
             f"{where}: wrong schema '{schema.name}': the expected fields are "
             f"trial, step, {', '.join(fields)}"
         )
-    return arrange(where, *_from_cdr(content.records(where, channel.id), where, len(fields)))
+    return arrange(where, *_from_cdr(content.runs[channel.id], where, len(fields)))
 
 
 # Trial and step of each message, (messages,), and its values, (messages, fields).
 Messages = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
-def _from_cdr(records: np.ndarray, where: str, fields: int) -> Messages:
-    dtype = record_dtype(fields)
-    if records.shape[1] != dtype.itemsize:
-        raise LogError(f"{where}: messages of another size than their schema says")
-    payload = np.ascontiguousarray(records).view(dtype)[:, 0]["payload"]
-    if not (payload["cdr"] == CDR_LITTLE_ENDIAN).all():
-        raise LogError(f"{where}: messages are not little-endian cdr")
-    return payload["trial"], payload["step"], payload["values"]
+def _from_cdr(runs: Iterable[np.ndarray], where: str, fields: int) -> Messages:
+    """From runs of records as bytes, (messages, size)."""
+    dtype, payloads = record_dtype(fields), []
+    for run in runs:
+        if run.shape[1] != dtype.itemsize:
+            raise LogError(f"{where}: messages of another size than their schema says")
+        payloads.append(run.view(dtype)[:, 0]["payload"])
+        if not (payloads[-1]["cdr"] == CDR_LITTLE_ENDIAN).all():
+            raise LogError(f"{where}: messages are not little-endian cdr")
+    trial, step, values = (
+        np.concatenate([payload[name] for payload in payloads])
+        for name in ("trial", "step", "values")
+    )
+    return trial, step, values
 
 
 def _from_json(content: Content, where: str, channel: int, fields: tuple[str, ...]) -> Messages:

@@ -8,9 +8,10 @@ import numpy as np
 from mcap.records import Schema
 from mcap_ros2.decoder import DecoderFactory
 
+from repro import plugins
 from repro.logs.content import Content, MissingError, json_object
-from repro.logs.format import ENCODING, PROVENANCE, SCHEMA_ENCODING, Log, LogError
-from repro.logs.read import root_seed
+from repro.logs.format import ENCODING, PROVENANCE, SCHEMA_ENCODING, Log, LogError, selected
+from repro.logs.read import own_fields, read_log, root_seed
 from repro.logs.topics import Topic, arrange, read_topics
 from repro.parameters.values import PointParameters
 
@@ -50,6 +51,11 @@ def read_user_log(
     if provenance is not None:
         _check_origin(content, provenance, study, point, parameters, changed)
         seed = root_seed(content)
+    scenario = plugins.study(study)
+    stored = scenario.stored(parameters)
+    if provenance is not None and own_fields(content) == stored != scenario.topics(parameters):
+        own = read_log(path)  # which adds what this project's logs leave out
+        return selected(own._replace(parameters=parameters), dict(fields))
     present = {
         topic: names
         for topic, names in fields.items()

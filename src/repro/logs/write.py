@@ -23,7 +23,7 @@ from repro.logs.format import (
     schema_text,
 )
 
-TRIALS_A_BLOCK = 50  # in a chunk, so that a player reads the topics together
+TRIALS_A_BLOCK = 20  # in a chunk, so that a player reads the topics together
 
 
 def write_log(

@@ -50,8 +50,14 @@ def tally_lines(table: pd.DataFrame) -> list[str]:
             counts = ", ".join(f"{of_kind.count(verdict)} {verdict}" for verdict in verdicts)
             tallies.append(f"{len(of_kind)} {kind}s: {counts}")
         unexpected = list(rows["as_expected"]).count(False)
-        lines.append(f"{paper}: {'; '.join(tallies)}; {unexpected} not as expected")
+        edge = list(rows["on_edge"]).count(True)
+        lines.append(
+            f"{paper}: {'; '.join(tallies)}; {unexpected} not as expected, {edge} on the edge"
+        )
     return lines
+
+
+EDGE = " (on the edge)"  # another root seed may give another verdict
 
 
 class Section(NamedTuple):
@@ -69,7 +75,7 @@ def sections(table: pd.DataFrame) -> Iterator[Section]:
         ranked = ranked.sort_values("rank", kind="stable").to_dict("records")
         for kind, head in HEADS.items():
             cells = [
-                [*_cells(row), row["verdict"], row["reason"]]
+                [*_cells(row), row["verdict"] + EDGE * bool(row["on_edge"]), row["reason"]]
                 for row in ranked
                 if row["kind"] == kind
             ]

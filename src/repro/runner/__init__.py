@@ -142,5 +142,7 @@ def flown(log: Log, filter_: Any, settings: dict[str, Any]) -> Log:
 def read_checked_log(path: str, study: str, point: str, origin: str | None = None) -> Log:
     """The log at `path`, checked to be of that study, point and origin, with the study's topics."""
     log = read_log(path, study=study, point=point, origin=origin)
-    wanted = plugins.study(study).topics(log.parameters)
-    return log if log.fields == wanted else read_log(path, wanted, study, point)
+    scenario = plugins.study(study)
+    if log.fields != scenario.topics(log.parameters):
+        return read_log(path, scenario.stored(log.parameters), study, point)
+    return log

@@ -43,6 +43,22 @@ class Study(ABC):
     def topics(self, parameters: Any) -> Fields:
         """Fields of each topic of the logs."""
 
+    def derived(self, parameters: Any) -> Fields:
+        """Fields of the topics that its logs leave out, as `complete` computes them again."""
+        return {}
+
+    def complete(self, log: Log) -> Log:
+        """A log with the derived fields, from one without them."""
+        return log
+
+    def stored(self, parameters: Any) -> Fields:
+        """Fields of each topic that its logs hold."""
+        derived = self.derived(parameters)
+        return {
+            topic: tuple(name for name in names if name not in derived.get(topic, ()))
+            for topic, names in self.topics(parameters).items()
+        }
+
     @abstractmethod
     def simulate(self, parameters: Any, streams: StreamsOf) -> dict[str, np.ndarray]:
         """Values of each topic, (trials, steps, fields); streams(role) are a role's streams."""

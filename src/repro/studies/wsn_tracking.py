@@ -26,6 +26,7 @@ from repro.statistics.shards import Shards
 from repro.studies import Fields, Integers, Rows, StreamsOf, Study
 
 STATE = ("px", "py", "vx", "vy", "omega")
+POSITION = (STATE.index("px"), STATE.index("py"))
 
 
 class Parameters(PointParameters):
@@ -154,7 +155,7 @@ class WsnTracking(Study):
     systems_per_block = 1000
     trajectory = (("px", "py"),)
     error_unit = "m"
-    kept_components = (STATE.index("px"), STATE.index("py"))
+    kept_components = POSITION
     constant_topics = ("/field",)
     log_remark = (
         "a filter's own prediction chooses the sensor, so the log must have the range to every "
@@ -200,6 +201,16 @@ class WsnTracking(Study):
                 [np.moveaxis(flags, 1, -1), delay[:, :, None].astype(float)], axis=-1
             ),
         }
+
+    def derived(self, parameters: Parameters) -> Fields:
+        return {"/sensor": self.topics(parameters)["/sensor"][1:]}  # three quarters of a log
+
+    def complete(self, log: Log) -> Log:
+        noise = np.ascontiguousarray(log.field("/sensor", "noise"))
+        sensor = np.empty((*noise.shape, log.parameters.sensors + 1))
+        turn_and_schedule.ranges(log.values["/truth"], positions(log), noise, sensor)
+        fields = self.topics(log.parameters)
+        return log._replace(fields=fields, values=log.values | {"/sensor": sensor})
 
     def model(self, parameters: Parameters) -> Model:
         process_covariance = np.zeros((len(STATE), len(STATE)))

@@ -3,7 +3,7 @@
 Every part of a claim is put as "this difference is negative" and decided by its standard error.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
@@ -21,6 +21,15 @@ class Part(NamedTuple):
     name: str
     difference: float
     mcse: float
+    seed_error: float | None = None  # of a difference from a bound that allows for the mcse already
+
+    def possible(self, tolerance: float) -> set[str]:
+        """Verdicts that other root seeds may give: the difference moved by so many errors."""
+        moved = tolerance * (self.mcse if self.seed_error is None else self.seed_error)
+        shifts = (-moved, 0.0, moved) if np.isfinite(moved) else (0.0,)
+        at = [self._replace(difference=self.difference + shift) for shift in shifts]
+        found = {part.verdict(tolerance) for part in at}
+        return found | {"undecided"} if found == {"holds", "fails"} and self.mcse else found
 
     def verdict(self, tolerance: float) -> str:
         """holds or fails beyond `tolerance` standard errors, undecided within."""
@@ -66,9 +75,10 @@ def most(name: str, happens: np.ndarray) -> Part:
     return Part(f"{name} (share {share:.3f} of {len(happens)})", float(0.5 - share), float(error))
 
 
-def below(name: str, value: float, bound: float) -> Part:
-    """A number without Monte Carlo error is below a bound."""
-    return Part(f"{name} ({value:.3g} against {bound:.3g})", float(value - bound), 0.0)
+def below(name: str, value: float, bound: float, seed_error: float = 0.0) -> Part:
+    """A number is below a bound that allows for its Monte Carlo error, if it has one."""
+    name = f"{name} ({value:.3g} against {bound:.3g})"
+    return Part(name, float(value - bound), 0.0, seed_error)
 
 
 def overall(verdicts: Iterable[str]) -> str:
@@ -77,6 +87,19 @@ def overall(verdicts: Iterable[str]) -> str:
     if "fails" in distinct:
         return "fails"
     return "holds" if distinct == {"holds"} else "undecided"
+
+
+def possible_overall(of_parts: Iterable[Collection[str]]) -> set[str]:
+    """Verdicts of a claim whose parts may each have several."""
+    sets = [set(possible) for possible in of_parts]
+    found = set()
+    if any("fails" in possible for possible in sets):
+        found.add("fails")
+    if all("holds" in possible for possible in sets):
+        found.add("holds")
+    if all(possible != {"fails"} for possible in sets) and any("undecided" in p for p in sets):
+        found.add("undecided")
+    return found
 
 
 def decide(results: Results, paper: str, path: str | Path) -> None:
@@ -89,5 +112,6 @@ def decide(results: Results, paper: str, path: str | Path) -> None:
                 {"paper": paper, "item": item, "statement": statement, "part": part.name}
                 | {"difference": part.difference, "mcse": part.mcse}
                 | {"verdict": part.verdict(results.tolerance)}
+                | {"possible": " ".join(sorted(part.possible(results.tolerance)))}
             )
     write_csv(rows, path)

@@ -64,7 +64,7 @@ def ratios_as_published(results: Results, filter_: str) -> list[Part]:
         trials = results.in_shards(study, POINT, filter_).trials
         allowed = results.tolerance * error * np.sqrt(1 + trials / runs)
         comparison = f"{words}: {ours:.3f} ± {error:.3f}, published {published}: distance"
-        parts.append(below(comparison, abs(ours - published), float(allowed)))
+        parts.append(below(comparison, abs(ours - published), float(allowed), error))
     return parts
 
 

@@ -69,7 +69,7 @@ def equal(name: str, first: np.ndarray, second: np.ndarray, relative: float) -> 
 def compared(
     results: Results, first: tuple[int, str], second: tuple[int, str]
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Errors of two of (N, filter) without losses, and the runs that neither loses, (trials,).
+    """Errors in position of two of (N, filter) without losses, and the runs that neither loses.
 
     Once the target is lost, rounding grows without bound.
     """
@@ -79,4 +79,6 @@ def compared(
         for bound, filter_ in (first, second)
     ]
     lost = [wsn_tracking.STUDY.lost(each, analysis) for each in runs]
-    return runs[0].error, runs[1].error, ~(lost[0] | lost[1])
+    position = list(wsn_tracking.POSITION)
+    errors = [each.error[..., position] for each in runs]
+    return errors[0], errors[1], ~(lost[0] | lost[1])
