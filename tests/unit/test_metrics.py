@@ -90,14 +90,12 @@ def test_quantities_of_runs_in_shards(tmp_path):
     for number, part in enumerate(shards):
         folder = tmp_path / "runs/study/main/filter"
         folder.mkdir(parents=True, exist_ok=True)
-        with (folder / f"{number}.npz").open("wb") as stream:
-            writer = RunsWriter(stream)
+        with (folder / f"{number}.npz").open("wb") as stream, RunsWriter(stream) as writer:
             for point in ("another", "point"):
                 recorded = {"a": VALUES[part]} if point == "point" else {}
                 writer.add(
                     point, Runs(VALUES[part, :, None], None, VALUES[part, 0], recorded=recorded)
                 )
-            writer.close()
     results, where = Results(tmp_path, {}, 3, {}, [], 3.0), ("study", "point", "filter")
     np.testing.assert_array_equal(results.each(*where, lambda runs: runs.degenerate), VALUES[:, 0])
     of_steps = results.each(*where, lambda runs: runs.error[..., 0])
@@ -112,10 +110,8 @@ def test_quantities_of_runs_in_shards(tmp_path):
 def test_components_that_are_not_kept_are_nan(tmp_path):
     """Nobody can take them for numbers."""
     error = np.arange(24.0).reshape(2, 4, 3)
-    with (tmp_path / "0.npz").open("wb") as stream:
-        writer = RunsWriter(stream, components=(0, 2))
+    with (tmp_path / "0.npz").open("wb") as stream, RunsWriter(stream, components=(0, 2)) as writer:
         writer.add("point", Runs(error, None, np.zeros(2), recorded={}))
-        writer.close()
     read = read_runs(tmp_path / "0.npz", "point").error
     np.testing.assert_array_equal(read[..., [0, 2]], error[..., [0, 2]])
     assert np.isnan(read[..., 1]).all()

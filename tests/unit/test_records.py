@@ -27,11 +27,9 @@ def layout(tmp_path):
     for file in (log, runs, table):
         Path(file).parent.mkdir(parents=True)
     write_log(log, small_log(STUDY, POINT, 3, 6), 1.0, origin=origin("1", (0, 3)))
-    with Path(runs).open("wb") as stream:
-        writer = RunsWriter(stream)
+    with Path(runs).open("wb") as stream, RunsWriter(stream) as writer:
         errors = Runs(np.zeros((3, 7, 2)), None, np.zeros(3), recorded={})
         writer.add(POINT, errors, origin("2", (0, 3)))
-        writer.close()
     Path(table).write_text("x\n")
     write_manifest(layout.page("manifest.json"), "c", "code", 1, [], [table])
     Records(tmp_path / "lost", layout).take()

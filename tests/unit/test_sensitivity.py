@@ -28,10 +28,8 @@ def results(tmp_path):
             file = Path(Layout(tmp_path).run("deadband", batch_of(point), filter_, 0))
             file.parent.mkdir(parents=True)
             error = scale * rng.standard_normal((40, 61, 9))
-            with file.open("wb") as stream:
-                writer = RunsWriter(stream)
+            with file.open("wb") as stream, RunsWriter(stream) as writer:
                 writer.add(point, Runs(error, None, np.zeros(40), recorded={}))
-                writer.close()
     catalogue = {"deadband": {"base": [*SCALE], "sensitivity-speed=2": [*SCALE]}}
     paper = load_paper(ROOT / "params/censored_network.yaml")
     studies = {"deadband": paper.described("deadband")}

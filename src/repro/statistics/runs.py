@@ -3,7 +3,7 @@
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import BinaryIO, NamedTuple
+from typing import BinaryIO, NamedTuple, Self
 
 import numpy as np
 
@@ -46,8 +46,10 @@ class RunsWriter:
             with self._archive.open(f"{point}/{name}.npy", "w", force_zip64=True) as entry:
                 np.lib.format.write_array(entry, _compact(value), allow_pickle=False)
 
-    def close(self) -> None:
-        """Write the directory of the file."""
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
         self._archive.close()
 
 
