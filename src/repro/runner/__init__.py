@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Mapping
+from contextlib import closing
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -118,16 +119,18 @@ def run_filter(
 
     Returns the CPU seconds that each point took.
     """
-    seconds = {}
-    with atomic_write(path) as part, part.open("wb") as stream:
-        writer = RunsWriter(stream, plugins.study(study).kept_components)
+    seconds, kept = {}, plugins.study(study).kept_components
+    with (
+        atomic_write(path) as part,
+        part.open("wb") as stream,
+        closing(RunsWriter(stream, kept)) as writer,
+    ):
         for point, given in points.items():
             begun = time.process_time()
             log = read_checked_log(given.log, study, point, given.log_origin)
             _, runs = run(log, name, given.settings)
             writer.add(point, runs, given.origin)
             seconds[point] = time.process_time() - begun
-        writer.close()
     return seconds
 
 
