@@ -14,7 +14,7 @@ class Layout:
         self.root = Path(root)
 
     def _at(self, *parts: object) -> str:
-        return str(self.root.joinpath(*map(str, parts)))
+        return "/".join((str(self.root), *map(str, parts)))  # joinpath takes ten times as long
 
     def log(self, study="{study}", point="{point}", shard: Number = "{shard}") -> str:
         """Truth and impaired measurements of a shard of trials."""

@@ -92,6 +92,12 @@ class Project:
         with self._families(paper, study) as families:
             families[:] = [f for f in families if f["name"].startswith(tuple(beginnings))]
 
+    def keep_filters(self, *names: str) -> None:
+        """Leave only the rules of these filters."""
+        rules = self.folder / "workflow/rules/filters.smk"
+        others = rf"^use rule run_filter as (?!(?:{'|'.join(names)}) ).*?(\n\n\n|\Z)"
+        rules.write_text(re.sub(others, "", rules.read_text(), flags=re.DOTALL | re.MULTILINE))
+
     def judge_only(self, paper: str, *beginnings: str) -> None:
         """Leave the diff only the items of one paper that begin so, claims among them."""
         for file in (self.folder / "params/published").glob("*.csv"):

@@ -106,30 +106,44 @@ def runs(name, studies, points="*", skip=()):
 
 def filtered_points(wildcards):
     """What a filter's job needs of each point of its batch: see `FilteredPoint`."""
-    name, study, shard = wildcards.filter, wildcards.study, int(wildcards.shard)
+    study, shard = wildcards.study, int(wildcards.shard)
     points = {}
-    for point in REGISTRY.in_batch(name, study, wildcards.batch):
-        trials = of_shard(STUDIES[study][point].parameters.trials, shard, RUN.shards)
+    for point, made in in_batch(wildcards.filter, study, wildcards.batch).items():
+        trials = of_shard(made["trials"], shard, RUN.shards)
         points[point] = {
             "log": LAYOUT.log(study, point, shard),
-            "settings": REGISTRY.settings(name, study, point),
-            "log_origin": origin(log_made_with(study, point), trials),
-            "origin": origin(runs_made_with(name, study, point), trials),
+            "settings": made["settings"],
+            "log_origin": origin(made["log"], trials),
+            "origin": origin(made["runs"], trials),
         }
     return points
 
 
 def filtered_logs(wildcards):
     """Logs of those points."""
-    return [point["log"] for point in filtered_points(wildcards).values()]
+    batch = in_batch(wildcards.filter, wildcards.study, wildcards.batch)
+    return [LAYOUT.log(wildcards.study, point, wildcards.shard) for point in batch]
+
+
+@cache
+def in_batch(name, study, batch):
+    """Of each point of a batch that the filter runs on: what is the same in all of its shards."""
+    return {
+        point: {
+            "trials": STUDIES[study][point].parameters.trials,
+            "settings": REGISTRY.settings(name, study, point),
+            "log": log_made_with(study, point),
+            "runs": runs_made_with(name, study, point),
+        }
+        for point in REGISTRY.in_batch(name, study, batch)
+    }
 
 
 @cache
 def log_made_with(study, point):
     """Digest of what the trials of a point are simulated with."""
-    parameters = STUDIES[study][point].parameters.plain()
     simulation = or_exit(code_digest, "repro.simulate", f"repro.studies.{study}")
-    return digest(study, point, parameters, RUN.root_seed, simulation)
+    return digest(study, point, plain_parameters(study, point), RUN.root_seed, simulation)
 
 
 @cache
@@ -205,14 +219,20 @@ def simulated_points(study, points, shard):
     """Parameters, trials and origin of a shard of the points."""
     simulated = {}
     for point in points:
-        parameters = STUDIES[study][point].parameters
-        trials = of_shard(parameters.trials, shard, RUN.shards)
+        parameters = plain_parameters(study, point)
+        trials = of_shard(parameters["trials"], shard, RUN.shards)
         simulated[point] = {
-            "parameters": parameters.plain(),
+            "parameters": parameters,
             "trials": trials,
             "origin": origin(log_made_with(study, point), trials),
         }
     return simulated
+
+
+@cache
+def plain_parameters(study, point):
+    """Parameters of a point, the same object in all of its shards."""
+    return STUDIES[study][point].parameters.plain()
 
 
 def studies_of(paper):

@@ -61,7 +61,8 @@ rule manifest:
             [LAYOUT.curves(study) for study in STUDIES],
             [LAYOUT.ranking(study) for study in STUDIES],
         ],
-        logs=[file for study in STUDIES for file in REGISTRY.log_files(study)],
+        # A function: Snakemake takes the square of a list's length to resolve it beside rules.diff.
+        logs=lambda wildcards: [file for study in STUDIES for file in REGISTRY.log_files(study)],
         figures=[*figure_files(), *study_figure_files(), rules.gallery.output],
     output:
         LAYOUT.page("manifest.json"),

@@ -78,7 +78,8 @@ class Run(Values):
 
     root_seed: Annotated[int, Field(ge=0, description="seed of every random stream")]
     shards: Annotated[
-        int, Field(ge=1, description="jobs that the trials of a point are split into")
+        int,
+        Field(ge=1, le=1000, description="jobs that the trials of a point are split into"),
     ]
     tolerance: Annotated[Positive, Field(description="standard errors that decide a verdict")]
     trials: Annotated[int, Field(ge=1, description="trials of every point")] | None = None

@@ -6,7 +6,7 @@ are lost, or another clone's, it would take any result for a good one.
 
 import json
 import uuid
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -39,11 +39,12 @@ class Records:
         if _read(self._owner) == self._name:
             return
         try:
-            for study, points in origins().items():
+            there = self._logs_and_runs()
+            for study, points in origins().items() if there else ():
                 for point, of_point in points.items():
                     for shard in range(shards):
                         trials = of_shard(of_point["trials"], shard, shards)
-                        self._check_point(study, point, shard, of_point, trials)
+                        self._check_point(study, point, shard, of_point, trials, there)
             self._check_tables(code())
         except ReproError as error:
             raise ReproError(
@@ -58,15 +59,25 @@ class Records:
                 with atomic_write(file) as part:
                     part.write_text(self._name, encoding="utf-8")
 
+    def _logs_and_runs(self) -> set[str]:
+        folders = (self._layout.root / kind for kind in ("logs", "runs"))
+        return {str(file) for folder in folders for file in folder.rglob("*")}
+
     def _check_point(
-        self, study: str, point: str, shard: int, made: Mapping[str, Any], trials: tuple[int, int]
+        self,
+        study: str,
+        point: str,
+        shard: int,
+        made: Mapping[str, Any],
+        trials: tuple[int, int],
+        there: Collection[str],
     ) -> None:
         log = self._layout.log(study, point, shard)
-        if Path(log).exists():
+        if log in there:
             check_origin(log, logged_origin(log), origin(made["log"], trials))
         for name, made_with in made["filters"].items():
             runs = self._layout.run(study, batch_of(point), name, shard)
-            if Path(runs).exists():
+            if runs in there:
                 check_runs(runs, point, origin(made_with, trials))
 
     def _check_tables(self, code: str) -> None:
