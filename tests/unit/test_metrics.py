@@ -107,6 +107,14 @@ def test_quantities_of_runs_in_shards(tmp_path):
     assert results.in_shards(*where).trials == 40
 
 
+def test_errors_beyond_single_precision_are_kept(tmp_path):
+    """Those of a filter that diverges; an infinite one would make every mean infinite."""
+    error = np.full((2, 4, 1), 1e70)
+    with (tmp_path / "0.npz").open("wb") as stream, RunsWriter(stream) as writer:
+        writer.add("point", Runs(error, None, np.zeros(2), recorded={}))
+    np.testing.assert_array_equal(read_runs(tmp_path / "0.npz", "point").error, error)
+
+
 def test_components_that_are_not_kept_are_nan(tmp_path):
     """Nobody can take them for numbers."""
     error = np.arange(24.0).reshape(2, 4, 3)

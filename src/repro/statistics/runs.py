@@ -10,6 +10,9 @@ import numpy as np
 from repro.origin import check_origin
 
 
+LARGEST = 1e38  # that single precision holds
+
+
 class Runs(NamedTuple):
     """What a filter's jobs keep of one (study, point), all trials in order."""
 
@@ -87,10 +90,11 @@ def check_runs(path: str | Path, point: str, origin: str) -> None:
 
 
 def _compact(values: np.ndarray) -> np.ndarray:
-    """As it is stored: numbers of every step in half of the bytes."""
+    """As it is stored: numbers of every step in half of the bytes, unless a filter diverges."""
     smaller = {"f": np.float32, "i": np.int32}.get(values.dtype.kind)
-    stored = values if values.ndim < 2 or smaller is None else values.astype(smaller)
-    return np.ascontiguousarray(stored)
+    if values.ndim < 2 or smaller is None or np.fmax.reduce(np.abs(values), axis=None) > LARGEST:
+        return np.ascontiguousarray(values)
+    return values.astype(smaller)
 
 
 def _double(values: np.ndarray) -> np.ndarray:
