@@ -9,7 +9,6 @@ import numpy as np
 
 from repro.origin import check_origin
 
-
 LARGEST = 1e38  # that single precision holds
 
 
