@@ -27,12 +27,12 @@ STUDY, POINT = "wsn_tracking", "n2-arrival=0.9"
 MUCH = Free(disk=100 * GB, memory=10 * GB)
 
 
-def of(trials, outputs, root="results", shards=1, at_once=2):
+def of(trials, outputs, root="elsewhere/results", shards=1, at_once=2):
     studies = {STUDY: {POINT: points()[STUDY][POINT].with_trials(trials)}}
     return estimated_needs(outputs, Layout(Path(root)), studies, shards, at_once)
 
 
-def files(root="results", shard=0):
+def files(root="elsewhere/results", shard=0):
     layout = Layout(Path(root))
     return [layout.log(STUDY, POINT, shard), layout.run(STUDY, "main", "emvf", shard)]
 

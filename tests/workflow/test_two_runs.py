@@ -13,6 +13,7 @@ def test_a_live_run_keeps_its_locks_and_its_results_and_a_dead_one_does_not(
 ):
     into = tmp_path_factory.mktemp("into")
     other = Project(tmp_path_factory.mktemp("other"))
+    other.keep_only("packet_delays", "linear_delays", ["arrival=0.5", "arrival=0.9"])
     target = [f"{into}/{TABLE}", "--config", f"into={into}", "trials=300"]
 
     def left():
