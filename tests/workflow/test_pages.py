@@ -101,7 +101,7 @@ def test_the_worked_filter_keeps_the_contract(losses):
     add_filter(losses, "docs/add-a-filter.md", "ukf")
     assert "10 passed" in losses.pytest("tests/contract", "-k", "ukf")
     planned = jobs_of(losses.snakemake("-n", "results/tables/radar.csv", *FEW))
-    assert planned["ukf"] == 2
+    assert planned["ukf"] == 1
 
 
 def test_the_worked_study(project):
