@@ -24,7 +24,7 @@ PROGRAMS = ("slurmctld", "slurmd", "srun", "munged")
 STUDIES = ("linear_delays", "ungm", "deadband", "quadrotor")
 TABLES = [f"smoke/results/tables/{study}.csv" for study in STUDIES]
 ALONE = "runs/deadband/main/mapf"  # the results of one job
-FIGURE = "smoke/figures/packet_delays/fig01.png"
+FIGURE = "smoke/figures/studies/linear_delays/over_k.png"
 RESULTS = (
     "logs/*/*/*.mcap",
     "runs/*/*/*/*.npz",
