@@ -23,7 +23,8 @@ PROGRAMS = ("slurmctld", "slurmd", "srun", "munged")
 # One study each of Kalman and particle filters, of a censored network and in a closed loop.
 STUDIES = ("linear_delays", "ungm", "deadband", "quadrotor")
 TABLES = [f"smoke/results/tables/{study}.csv" for study in STUDIES]
-ALONE = "runs/deadband/main/mapf"  # the results of one job
+ALONE = "runs/deadband/main/mapf"  # the results of one job,
+NEEDS_IT = "tables/deadband.csv"  # and those of another, without which the first would not run
 FIGURE = "smoke/figures/studies/linear_delays/over_k.png"
 RESULTS = (
     "logs/*/*/*.mcap",
@@ -61,8 +62,9 @@ class OnSlurm(Copy):
     )
 
     def forget(self) -> None:
-        """Remove the results of one job."""
+        """Remove the results of one job, and of one that needs it."""
         shutil.rmtree(self.folder / "smoke/results" / ALONE)
+        (self.folder / "smoke/results" / NEEDS_IT).unlink()
 
     def start_and_wait_for_its_job(self) -> tuple[subprocess.Popen, str, str]:
         """Start what is not done yet; returns in the middle of its job, with job and node."""
