@@ -5,6 +5,9 @@ min_version("9.18")
 
 
 include: "workflow/rules/common.smk"
+include: "workflow/rules/origins.smk"
+include: "workflow/rules/figures.smk"
+include: "workflow/rules/ends.smk"
 include: "workflow/rules/simulate.smk"
 include: "workflow/rules/filters.smk"
 include: "workflow/rules/listed.smk"

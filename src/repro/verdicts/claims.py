@@ -28,8 +28,7 @@ class Part(NamedTuple):
         moved = tolerance * (self.mcse if self.seed_error is None else self.seed_error)
         shifts = (-moved, 0.0, moved) if np.isfinite(moved) else (0.0,)
         at = [self._replace(difference=self.difference + shift) for shift in shifts]
-        found = {part.verdict(tolerance) for part in at}
-        return found | {"undecided"} if found == {"holds", "fails"} and self.mcse else found
+        return {part.verdict(tolerance) for part in at}
 
     def verdict(self, tolerance: float) -> str:
         """holds or fails beyond `tolerance` standard errors, undecided within."""

@@ -1,0 +1,86 @@
+# What the scripts of figures read, and which of them are drawn in one job.
+
+
+def figure_script(name):
+    """The script of a figure, named as PAPER/FIGURE; exits in one line if there is none."""
+    script = f"figures/{name}.py"
+    if not Path(script).exists():
+        sys.exit(f"error: --config: figure: there is no script {script}; give figure=PAPER/FIGURE")
+    return script
+
+
+def needs(name):
+    """What a figure's script says that it reads."""
+    return constants(figure_script(name))["NEEDS"]
+
+
+def caption(name):
+    """What a figure's script says that it shows."""
+    # The report has it inside a script of its own.
+    return constants(figure_script(name))["CAPTION"].replace("</", "< /")
+
+
+def study_figure_files():
+    """Pictures that every study has."""
+    return [
+        f"{FIGURES}/studies/{study}/{kind}.png"
+        for study in STUDIES
+        for kind in ("over_k", "over_sweep", "distribution")
+    ]
+
+
+def is_drawn(name):
+    """Whether a figure is part of a run; in a smoke run only if all that it reads is there."""
+    needed = needs(name)
+    if not SMOKE:
+        return not needed.get("on_request")
+    points = needed.get("points", {})
+    ran = REGISTRY.catalogue(*points)
+    whole = needed.get("diff") or needed.get("tables")  # of more than one point of a family
+    return not whole and all(ran[s].keys() >= {*points[s]} for s in points)
+
+
+def sheet(name):
+    """Figures of a paper that read the same studies are drawn in one job, which is named so."""
+    needed, paper = needs(name), Path(name).parent.name
+    if needed.get("on_request"):
+        return "_".join(Path(name).parts)
+    if needed.get("diff") or needed.get("leaderboard"):
+        return f"{paper}_verdicts"
+    read = {*needed.get("tables", []), *needed.get("points", {})} & STUDIES.keys()
+    return "_".join([paper, *sorted(read)])
+
+
+def sheets():
+    """Figures by the job that draws them: those of a run, and those that are drawn on request."""
+    found = {}
+    for path in sorted(Path("figures").glob("*/*.py")):
+        name = f"{path.parent.name}/{path.stem}"
+        if is_drawn(name) or needs(name).get("on_request"):
+            found.setdefault(sheet(name), []).append(name)
+    return found
+
+
+def figure_files():
+    """Pictures of the figures that are part of a run."""
+    return [
+        f"{FIGURES}/{name}.png" for names in SHEETS.values() for name in filter(is_drawn, names)
+    ]
+
+
+def figure_inputs(names):
+    """The files that the figures' scripts say that they read."""
+    files = {}
+    for needed in map(needs, names):
+        tables = needed.get("tables", [])
+        found = [LAYOUT.table(study) for study in tables]
+        found += [LAYOUT.curves(study) for study in tables if study in STUDIES]
+        for study, points in needed.get("points", {}).items():
+            found += [*REGISTRY.log_files(study, points), *REGISTRY.run_files(study, points)]
+        found += needed.get("measured", [])
+        if needed.get("leaderboard"):
+            found += [LAYOUT.page("leaderboard.csv")]
+        if needed.get("diff"):
+            found += [LAYOUT.page("diff.csv"), *(LAYOUT.claims(paper) for paper in JUDGED)]
+        files |= dict.fromkeys(found)
+    return list(files)
