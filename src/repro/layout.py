@@ -50,6 +50,14 @@ class Layout:
         """Every comparison behind the claims of a paper."""
         return self._at("claims", f"{paper}.csv")
 
+    def robustness(self, paper="{paper}") -> str:
+        """The verdicts of a paper under every reading."""
+        return self._at("robustness", f"{paper}.csv")
+
+    def facts(self, paper="{paper}") -> str:
+        """Numbers that the reasons for the verdicts of a paper state."""
+        return self._at("facts", f"{paper}.csv")
+
     def view(self, study="{study}", point="{point}", trial: Number = "{trial}") -> str:
         """One trial to look into, without its ending."""
         return self._at("views", study, point, f"trial-{trial}")

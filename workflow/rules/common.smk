@@ -27,6 +27,7 @@ from repro.parameters.load import (
     user_values,
 )
 from repro.parameters.point_names import on_request
+from repro.parameters.readings import readings_of
 from repro.workflow.code import code_digest, code_files, constants, source_digest
 from repro.workflow.lock import hold, runs_jobs, sweep
 from repro.workflow.registry import Registry
@@ -138,6 +139,24 @@ def results_of(studies, requested=False):
 def studies_of(paper):
     """Studies of a paper; of all papers for the overview."""
     return PAPERS[paper].studies if paper in PAPERS else STUDIES
+
+
+def paper_runs(paper):
+    """The runs of all filters on all points of a paper."""
+    return [file for study in PAPERS[paper].studies for file in REGISTRY.run_files(study)]
+
+
+def paper_logs(paper):
+    """The logs of all points of a paper."""
+    return [file for study in PAPERS[paper].studies for file in REGISTRY.log_files(study)]
+
+
+def plain_points(study):
+    """Parameters, and settings by filter, of each point of a study, as JSON has them."""
+    return {
+        name: {"parameters": point.parameters.plain(), "filters": point.filters}
+        for name, point in STUDIES[study].items()
+    }
 
 
 # Tables that come from no trials, by paper: filled by the papers' own rules.

@@ -15,13 +15,7 @@ rule assumptions:
             paper: {
                 "parameters": f"params/{paper}.yaml",
                 "published": f"params/published/{paper}.csv",
-                "studies": {
-                    study: {
-                        name: {"parameters": point.parameters.plain(), "filters": point.filters}
-                        for name, point in points.items()
-                    }
-                    for study, points in content.studies.items()
-                },
+                "studies": {study: plain_points(study) for study in content.studies},
                 "tables": {study: LAYOUT.table(study) for study in content.studies},
             }
             for paper, content in PAPERS.items()

@@ -37,16 +37,13 @@ rule table:
 
 rule claims:
     input:
-        runs=lambda wildcards: [
-            file for study in PAPERS[wildcards.paper].studies for file in REGISTRY.run_files(study)
-        ],
-        logs=lambda wildcards: [
-            file for study in PAPERS[wildcards.paper].studies for file in REGISTRY.log_files(study)
-        ],
+        runs=lambda wildcards: paper_runs(wildcards.paper),
+        logs=lambda wildcards: paper_logs(wildcards.paper),
         measured=lambda wildcards: measured_files(wildcards.paper),
         published="params/published/{paper}.csv",
     output:
-        LAYOUT.claims(),
+        claims=LAYOUT.claims(),
+        facts=LAYOUT.facts(),
     log:
         LAYOUT.job_log("claims", "{paper}"),
     benchmark:
@@ -55,15 +52,43 @@ rule claims:
         ENVIRONMENT
     params:
         results=lambda wildcards: results_of(PAPERS[wildcards.paper].studies),
-        code=code("repro.papers.{paper}.claims"),
+        code=code("repro.papers.{paper}.claims", "repro.verdicts.facts"),
     script:
         "../scripts/claims.py"
+
+
+# The verdicts again under every reading of what the paper leaves open.
+rule robustness:
+    input:
+        runs=lambda wildcards: paper_runs(wildcards.paper),
+        logs=lambda wildcards: paper_logs(wildcards.paper),
+        tables=lambda wildcards: table_files(wildcards.paper),
+        measured=lambda wildcards: measured_files(wildcards.paper),
+        published="params/published/{paper}.csv",
+    output:
+        LAYOUT.robustness(),
+    log:
+        LAYOUT.job_log("robustness", "{paper}"),
+    benchmark:
+        LAYOUT.timing("robustness", "{paper}")
+    conda:
+        ENVIRONMENT
+    params:
+        results=lambda wildcards: results_of(PAPERS[wildcards.paper].studies),
+        readings=lambda wildcards: {
+            study: readings_of(plain_points(study)) for study in PAPERS[wildcards.paper].studies
+        },
+        code=code("repro.verdicts.robustness", "repro.papers.{paper}.claims"),
+    script:
+        "../scripts/robustness.py"
 
 
 rule diff:
     input:
         published=[f"params/published/{paper}.csv" for paper in JUDGED],
         claims=[LAYOUT.claims(paper) for paper in JUDGED],
+        facts=[LAYOUT.facts(paper) for paper in JUDGED],
+        robustness=[LAYOUT.robustness(paper) for paper in JUDGED],
         tables=[file for paper in JUDGED for file in table_files(paper)],
     output:
         csv=report(
@@ -72,6 +97,7 @@ rule diff:
             labels={"table": "published against reproduced"},
             caption="../report/diff.rst",
         ),
+        robustness=LAYOUT.page("robustness.csv"),
         markdown=LAYOUT.page("diff.md"),
         report=LAYOUT.page("diff.rst"),
         tally=LAYOUT.page("tally.txt"),
@@ -86,6 +112,8 @@ rule diff:
             paper: {
                 "published": f"params/published/{paper}.csv",
                 "claims": LAYOUT.claims(paper),
+                "facts": LAYOUT.facts(paper),
+                "robustness": LAYOUT.robustness(paper),
                 "tables": table_files(paper),
             }
             for paper in JUDGED

@@ -13,7 +13,7 @@ from repro.tables.csv_file import write_csv
 from repro.verdicts.published import REPRODUCED, VERDICTS, diff
 
 HEADS = {
-    "value": ("item", "published", "ours", "standard error (ours, theirs)", "z"),
+    "value": ("item", "published", "ours", "standard error (ours, theirs)", "z", "allowed"),
     "claim": ("item", "claim", "evidence"),
 }
 TITLE = "Published against reproduced"
@@ -23,13 +23,18 @@ def write_diff(
     papers: Mapping[str, Mapping[str, Any]],
     tolerance: float,
     csv: str,
+    robustness: str,
     markdown: str,
     report: str,
     tally: str,
 ) -> None:
-    """Write the diff of all papers (see `diff`) as CSV, Markdown, reStructuredText, and a tally."""
+    """Write the diff of all papers (see `diff`) as CSV, Markdown, reStructuredText, and a tally.
+
+    The verdicts under every reading go to `robustness`, all papers in one table.
+    """
     table = diff(papers, tolerance)
     write_csv(table, csv)
+    write_csv(pd.concat([pd.read_csv(p["robustness"]) for p in papers.values()]), robustness)
     texts = {
         markdown: markdown_page(table),
         report: report_page(table),
@@ -75,12 +80,20 @@ def sections(table: pd.DataFrame) -> Iterator[Section]:
         ranked = ranked.sort_values("rank", kind="stable").to_dict("records")
         for kind, head in HEADS.items():
             cells = [
-                [*_cells(row), row["verdict"] + EDGE * bool(row["on_edge"]), row["reason"]]
+                [*_cells(row), row["class"], _verdict(row), row["standing"], row["reason"]]
                 for row in ranked
                 if row["kind"] == kind
             ]
             if cells:
-                yield Section(f"{paper}: {kind}s", (*head, "verdict", "reason"), cells)
+                yield Section(
+                    f"{paper}: {kind}s",
+                    (*head, "evidence is", "verdict", "readings", "reason"),
+                    cells,
+                )
+
+
+def _verdict(row: Mapping[Any, Any]) -> str:
+    return row["verdict"] + EDGE * bool(row["on_edge"])
 
 
 def _cells(row: Mapping[Any, Any]) -> list[str]:
@@ -88,7 +101,8 @@ def _cells(row: Mapping[Any, Any]) -> list[str]:
         return [row["item"], row["statement"], row["evidence"]]
     errors = f"{row['mcse']:.2g}, {row['their_error']:.2g}"
     z = "" if np.isnan(row["z"]) else f"{row['z']:+.1f}"
-    return [row["item"], f"{row['published']:g}", f"{row['ours']:.4g}", errors, z]
+    allowed = "" if np.isnan(row["allowed_percent"]) else f"{row['allowed_percent']:.3g} %"
+    return [row["item"], f"{row['published']:g}", f"{row['ours']:.4g}", errors, z, allowed]
 
 
 def markdown_page(table: pd.DataFrame) -> str:

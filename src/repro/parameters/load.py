@@ -1,23 +1,18 @@
 """Parameters: every value with its source, validated, and resolved for each point of a study."""
 
-import itertools
-import math
-import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Annotated, Any, NamedTuple
 
 import yaml
 from pydantic import Field
 
 from repro import plugins
+from repro.parameters.families import Resolved, resolved
 from repro.parameters.paper_file import (
-    Family,
     PaperFile,
     Ranking,
     RunFile,
-    StudySection,
     every_value,
     plain,
 )
@@ -26,8 +21,6 @@ from repro.parameters.settings import checked_settings
 from repro.parameters.values import ParameterError, PointParameters, Positive, Values
 from repro.parameters.yaml_file import check_plain, parsed, read_yaml
 
-FOLDER = re.compile(r"[^./{}][^/{}]{0,199}")  # what the name of a point may be
-MOST_POINTS = 10_000  # of a family
 SMOKE_STEPS = 300  # the quadrotor alone has more
 
 
@@ -128,16 +121,19 @@ def load_paper(path: str | Path) -> Paper:
         thresholds = study.Analysis.checked(plain(section.analysis), f"{where}.analysis")
         analysis[name] = thresholds.plain()
         studies[name] = {}
+        found: dict[str, Resolved] = {}
         for family in section.points:
-            for point, parameters, filters, swept in _resolved(section, family, where):
-                here = f"{where}.points.{point}"
-                if point in studies[name]:
+            for point in resolved(section, family, found, where):
+                here = f"{where}.points.{point.name}"
+                if point.name in found:
                     raise ParameterError(f"{here}: two points have this name; rename one")
-                studies[name][point] = Point(
-                    study.Parameters.checked(parameters, f"{here}: parameters"),
-                    {f: checked_settings(f, s, f"{here}: filters.{f}") for f, s in filters.items()},
-                    family.name,
-                    swept,
+                found[point.name] = point
+                settings = point.filters.items()
+                studies[name][point.name] = Point(
+                    study.Parameters.checked(point.parameters, f"{here}: parameters"),
+                    {f: checked_settings(f, s, f"{here}: filters.{f}") for f, s in settings},
+                    point.family,
+                    point.swept,
                 )
     examples = {name: plain(entries) for name, entries in content.examples.items()}
     return Paper(
@@ -208,58 +204,3 @@ def sources(path: str | Path) -> list[dict[str, str]]:
         }
         for study, point, name, value, origin in every_value(content)
     ]
-
-
-def _resolved(
-    section: StudySection, family: Family, where: str
-) -> Iterator[tuple[str, dict, dict, dict]]:
-    """Name, parameters, settings and swept values of each point: base, then `set`, then sweep."""
-    base = plain(section.parameters) | family.set
-    settings = {name: plain(values) for name, values in section.filters.items()}
-    for name, changes in family.filters.items():
-        _check_known(name, settings, f"{where}: {family.name}")
-        settings[name] = settings[name] | changes
-    count = math.prod(map(len, family.sweep.values()))
-    if count > MOST_POINTS:
-        raise ParameterError(
-            f"{where}: {family.name}: its sweep has {count} points; at most {MOST_POINTS} allowed"
-        )
-    for values in itertools.product(*family.sweep.values()):
-        parameters, filters = dict(base), {name: dict(own) for name, own in settings.items()}
-        for keys, value in zip(family.sweep, values, strict=True):
-            for key in keys.replace(" ", "").split(","):
-                filter_, dot, setting = key.partition(".")
-                if dot:
-                    _check_known(filter_, settings, f"{where}: {family.name}: sweep")
-                    filters[filter_][setting] = value
-                else:
-                    parameters[key] = value
-        swept = dict(zip(family.sweep, values, strict=True))
-        yield _name(family.name, parameters, filters, where), parameters, filters, swept
-
-
-def _check_known(filter_: str, settings: dict[str, dict], where: str) -> None:
-    if filter_ not in settings:
-        raise ParameterError(
-            f"{where}: no settings of a filter '{filter_}'; known are {', '.join(settings)}"
-        )
-
-
-def _name(pattern: str, parameters: dict, filters: dict, where: str) -> str:
-    """The name of a point: {parameter} and {filter.setting} are filled in."""
-    named = {name: SimpleNamespace(**values) for name, values in filters.items()}
-    try:
-        name = pattern.format(**named | parameters)
-    except (KeyError, AttributeError) as error:
-        unknown = error.name if isinstance(error, AttributeError) else error.args[0]
-        raise ParameterError(
-            f"{where}: point name '{pattern}': there is no parameter or setting '{unknown}'"
-        ) from None
-    except (IndexError, TypeError, ValueError) as error:
-        raise ParameterError(f"{where}: point name '{pattern}': {error}; fix its braces") from None
-    if not (FOLDER.fullmatch(name) and name.isprintable()):
-        raise ParameterError(
-            f"{where}: point name '{name}': it names a folder: at most 200 characters, no / {{ }}, "
-            "and no dot at its start"
-        )
-    return name

@@ -5,6 +5,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, model_validator
 
+from repro.parameters.point_names import is_reading
 from repro.parameters.values import Values
 
 Text = Annotated[str, Field(min_length=1)]
@@ -41,6 +42,14 @@ class Family(WithSource):
     sweep: dict[str, Annotated[list[Any], Field(min_length=1)]] = Field(default_factory=dict)
     set: dict[str, Any] = Field(default_factory=dict)
     filters: dict[str, dict[str, Any]] = Field(default_factory=dict)
+    # Shell patterns of points above that are read anew, each as <name>@<point>; for readings only.
+    of: list[Text] = Field(default_factory=list)
+
+    @model_validator(mode="after")
+    def _only_readings_are_of_points(self) -> Self:
+        if self.of and not is_reading(self.name):
+            raise ValueError("'of' is for readings; begin the name with reading-, or leave out of")
+        return self
 
 
 class Ranking(Values):

@@ -5,11 +5,18 @@ import re
 # Points whose names begin so take minutes: they run only where they are asked for.
 ON_REQUEST = "sensitivity-"
 READING = re.compile(r"(^|-)(reading|as-printed)-")
+OF = "@"  # <reading>@<point>: the point under that reading
 
 
 def is_reading(point: str) -> bool:
     """Whether the point is another reading of the paper."""
     return on_request(point) or READING.search(point) is not None
+
+
+def reading_of(point: str) -> tuple[str, str]:
+    """The reading, and the point that is read so; nothing for it if the name does not say it."""
+    reading, _, read = point.partition(OF)
+    return reading, read
 
 
 def on_request(point: str) -> bool:

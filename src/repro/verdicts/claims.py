@@ -3,7 +3,8 @@
 Every part of a claim is put as "this difference is negative" and decided by its standard error.
 """
 
-from collections.abc import Callable, Collection, Iterable
+import math
+from collections.abc import Callable, Collection, Iterable, Mapping
 from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
@@ -13,6 +14,8 @@ import numpy as np
 from repro.statistics import metrics
 from repro.tables.csv_file import write_csv
 from repro.tables.results import Results
+
+RISKS = ("not_holds", "not_fails", "only_holds", "only_fails")  # columns of the claims
 
 
 class Part(NamedTuple):
@@ -29,6 +32,26 @@ class Part(NamedTuple):
         shifts = (-moved, 0.0, moved) if np.isfinite(moved) else (0.0,)
         at = [self._replace(difference=self.difference + shift) for shift in shifts]
         return {part.verdict(tolerance) for part in at}
+
+    def risks(self, tolerance: float) -> dict[str, float]:
+        """Probabilities that with a fresh root seed a verdict is not, or alone, possible.
+
+        By the name of a column of the claims. A fresh difference is ours plus two errors' worth:
+        that of ours and its own.
+        """
+        error = self.mcse if self.seed_error is None else self.seed_error
+        moved, margin = tolerance * error, tolerance * self.mcse
+        if not np.isfinite(self.difference + moved + margin):  # undecided with any seed
+            return dict(zip(RISKS, (1.0, 1.0, 0.0, 0.0), strict=True))
+
+        def below(limit: float) -> float:
+            if error == 0:
+                return float(self.difference < limit)
+            return 0.5 * math.erfc((self.difference - limit) / (2.0 * error))
+
+        not_holds, not_fails = 1.0 - below(moved - margin), below(margin - moved)
+        only_holds, only_fails = below(-margin - moved), 1.0 - below(margin + moved)
+        return dict(zip(RISKS, (not_holds, not_fails, only_holds, only_fails), strict=True))
 
     def verdict(self, tolerance: float) -> str:
         """holds or fails beyond `tolerance` standard errors, undecided within."""
@@ -101,6 +124,19 @@ def possible_overall(of_parts: Iterable[Collection[str]]) -> set[str]:
     return found
 
 
+def risk(expect: str, of_parts: Mapping[str, np.ndarray]) -> float:
+    """Probability that a fresh root seed cannot give the expected verdict; an upper bound.
+
+    `of_parts` are the columns of `Part.risks`, (parts,) each; the parts share their trials, so that
+    their probabilities are added where any of them decides, and the smallest is taken else.
+    """
+    if expect == "holds":
+        return min(1.0, float(of_parts["not_holds"].sum()))
+    if expect == "fails":
+        return float(of_parts["not_fails"].min())
+    return min(1.0, float(of_parts["only_fails"].sum() + of_parts["only_holds"].min()))
+
+
 def decide(results: Results, paper: str, path: str | Path) -> None:
     """Test every claim of a paper; write one row for each part."""
     rows = []
@@ -112,5 +148,6 @@ def decide(results: Results, paper: str, path: str | Path) -> None:
                 | {"difference": part.difference, "mcse": part.mcse}
                 | {"verdict": part.verdict(results.tolerance)}
                 | {"possible": " ".join(sorted(part.possible(results.tolerance)))}
+                | part.risks(results.tolerance)
             )
     write_csv(rows, path)

@@ -1,5 +1,6 @@
 """The published values and claims of the papers against ours, and whether they agree."""
 
+import math
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,9 @@ import pandas as pd
 
 from repro.errors import ReproError
 from repro.statistics.paired import independent_error
-from repro.verdicts.claims import overall, possible_overall
+from repro.verdicts.claims import RISKS, overall, possible_overall, risk
+from repro.verdicts.facts import filled, read_facts
+from repro.verdicts.standing import standing
 
 VERDICTS = {"value": ("match", "differs"), "claim": ("holds", "fails", "undecided")}
 REPRODUCED = ("match", "holds")
@@ -17,9 +20,13 @@ ON_EDGE = "On the edge: our number is so near the limit that another root seed m
 KEYS = ["study", "point", "filter", "metric", "component"]
 DIFF_COLUMNS = [
     *("paper", "item", "kind", *KEYS, "published", "ours", "mcse", "their_error", "allowed", "z"),
-    *("verdict", "evidence", "expect", "as_expected", "on_edge", "reason", "statement"),
+    *("allowed_percent", "class", "verdict", "standing", "evidence", "expect", "as_expected"),
+    *("on_edge", "seed_risk", "reason", "statement"),
 ]
-COLUMNS = ["item", *KEYS, "value", "digits", "kind", "trials", "expect", "reason"]
+COLUMNS = ["item", *KEYS, "value", "digits", "kind", "class", "trials", "expect", "reason"]
+# Of evidence: an exact equality or count; agreement with numbers that a parameter was chosen on; a
+# test that could have failed; one that could have, but rests on an assumed layout or horizon.
+CLASSES = ("identity", "fitted", "predicted", "conditional")
 
 
 def read_published(path: str | Path) -> pd.DataFrame:
@@ -34,6 +41,8 @@ def read_published(path: str | Path) -> pd.DataFrame:
         where, kind, expect = f"{path}: line {i} ({row['item']})", row["kind"], row["expect"]
         if kind not in VERDICTS:
             raise ReproError(f"{where}: kind '{kind}' is not one of {', '.join(VERDICTS)}")
+        if row["class"] not in CLASSES:
+            raise ReproError(f"{where}: class '{row['class']}' is not one of {', '.join(CLASSES)}")
         if expect not in VERDICTS[kind]:
             raise ReproError(
                 f"{where}: expect '{expect}' is not one of {', '.join(VERDICTS[kind])}"
@@ -69,10 +78,24 @@ def compare_value(
         "mcse": mcse,
         "their_error": their_error,
         "allowed": allowed,
+        "allowed_percent": 100 * allowed / abs(published) if published else np.nan,
         "z": difference / error if error > 0 else np.nan,
         "verdict": "match" if abs(difference) <= allowed else "differs",
         "on_edge": abs(abs(difference) - allowed) <= tolerance * mcse,
     }
+
+
+def value_risk(expect: str, compared: Mapping[str, Any], tolerance: float) -> float:
+    """Probability that with a fresh root seed a value's verdict cannot be the expected one.
+
+    That is if our number is beyond the limit by more than `tolerance` of its standard errors; a
+    fresh number is ours plus two errors' worth: that of ours and its own.
+    """
+    beyond = abs(compared["ours"] - compared["published"]) - compared["allowed"]
+    beyond *= 1 if expect == "match" else -1
+    if compared["mcse"] == 0 or not np.isfinite(beyond):
+        return float(not beyond <= 0)
+    return 0.5 * math.erfc((tolerance - beyond / compared["mcse"]) / 2.0)
 
 
 def compare(
@@ -82,6 +105,8 @@ def compare(
     claims: pd.DataFrame,
     tolerance: float,
     source: str,
+    robustness: pd.DataFrame | None = None,
+    facts: Mapping[str, float] | None = None,
 ) -> Iterator[dict[str, Any]]:
     """Rows of the diff of one paper, in the order of its published file.
 
@@ -93,7 +118,7 @@ def compare(
     parts_of = dict(list(claims.groupby("item", sort=False)))
     for row in published.to_dict("records"):
         item = row["item"]
-        compared = {"paper": paper, "item": item, "kind": row["kind"]}
+        compared = {"paper": paper, "item": item, "kind": row["kind"], "class": row["class"]}
         if row["kind"] == "value":
             key = tuple(row[name] for name in KEYS)
             if key not in ours:
@@ -103,6 +128,7 @@ def compare(
             )
             compared |= dict(zip(KEYS, key, strict=True)) | verdict | {"evidence": ""}
             possible = set(VERDICTS["value"]) if verdict["on_edge"] else {verdict["verdict"]}
+            seed_risk = value_risk(row["expect"], verdict, tolerance)
         else:
             if item not in parts_of:
                 raise ReproError(f"{source}: {item}: no claim of this name is tested")
@@ -113,10 +139,15 @@ def compare(
                 "statement": parts["statement"].iloc[0],
                 "evidence": _evidence(parts),
             }
+            seed_risk = risk(row["expect"], {name: parts[name].to_numpy() for name in RISKS})
+        of_item = None if robustness is None else robustness.loc[robustness["item"] == item]
         yield compared | {
             "expect": row["expect"],
             "as_expected": row["expect"] in possible,
-            "reason": row["reason"] or ON_EDGE * (len(possible) > 1),
+            "seed_risk": seed_risk,
+            "standing": "" if of_item is None else standing(compared["verdict"], of_item),
+            "reason": filled(row["reason"], facts or {}, f"{source}: {item}")
+            or ON_EDGE * (len(possible) > 1),
         }
     if parts_of:
         raise ReproError(f"{source}: the tested claim '{next(iter(parts_of))}' has no row here")
@@ -137,14 +168,17 @@ def _evidence(parts: pd.DataFrame) -> str:
 def diff(papers: Mapping[str, Mapping[str, Any]], tolerance: float) -> pd.DataFrame:
     """Every published value and claim of all papers with its verdict, one row each.
 
-    `papers` gives for each paper the files `published`, `claims` and `tables`.
+    `papers` gives for each paper the files `published`, `claims`, `facts`, `robustness`, `tables`.
     """
     rows = []
     for paper, files in papers.items():
         published = read_published(files["published"])
         tables = pd.concat([pd.read_csv(table) for table in files["tables"]])
-        claims = pd.read_csv(files["claims"])
-        rows += compare(paper, published, tables, claims, tolerance, files["published"])
+        claims, facts = pd.read_csv(files["claims"]), read_facts(files["facts"])
+        robustness = pd.read_csv(files["robustness"])
+        rows += compare(
+            paper, published, tables, claims, tolerance, files["published"], robustness, facts
+        )
     return pd.DataFrame(rows, columns=DIFF_COLUMNS)
 
 

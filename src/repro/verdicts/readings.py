@@ -7,14 +7,11 @@ import numpy as np
 import pandas as pd
 
 from repro.parameters.point_names import is_reading
+from repro.parameters.readings import Points, base_of
 from repro.statistics.paired import independent_error
 from repro.verdicts.published import KEYS, compare_value
 
 IDENTITY = ("filter", "metric", "component")  # of a statistic of a point
-NOT_ASSUMED = {"trials"}  # differs between points without being an assumption about the paper
-
-# `parameters` and settings by filter (`filters`) of each point of a study, as JSON has them.
-Points = Mapping[str, Mapping[str, Any]]
 
 
 class Reading(NamedTuple):
@@ -33,31 +30,6 @@ class Reading(NamedTuple):
     published: str  # as printed; empty if the paper has no value for the base
     base_verdict: str  # against the published value, or empty
     verdict: str
-
-
-def base_of(point: str, points: Points) -> tuple[str, dict[str, Any]]:
-    """The point that a reading is a reading of, and the values that the reading changes.
-
-    The base is the point, itself no reading, that differs in the fewest values.
-    """
-    values = _flat(points[point])
-    changes = {}
-    for other, content in points.items():
-        if not is_reading(other):
-            base_values = _flat(content)
-            changes[other] = {k: v for k, v in values.items() if base_values.get(k) != v}
-    base = min(changes, key=lambda other: len(changes[other]))
-    return base, changes[base]
-
-
-def _flat(point: Mapping[str, Any]) -> dict[str, Any]:
-    """Parameters, and settings as filter.setting, of a point."""
-    settings = {
-        f"{filter_}.{name}": value
-        for filter_, values in point["filters"].items()
-        for name, value in values.items()
-    }
-    return {k: v for k, v in point["parameters"].items() if k not in NOT_ASSUMED} | settings
 
 
 def readings(

@@ -1,0 +1,106 @@
+"""Every verdict again under every reading of what its paper leaves open."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from repro.tables.csv_file import write_csv
+from repro.tables.results import Results
+from repro.tables.under_reading import UnderReading
+from repro.verdicts.claims import Claim, Part, overall
+from repro.verdicts.published import KEYS, compare_value, read_published
+from repro.verdicts.standing import NOT_RUN
+
+COLUMNS = [
+    *("paper", "item", "kind", "reading", "changes", "points", "verdict", "margin", "trials")
+]
+
+
+def judge(
+    results: Results,
+    paper: str,
+    readings: Mapping[str, Mapping[str, Mapping[str, Any]]],
+    published: str,
+    path: str | Path,
+) -> None:
+    """Write the verdicts of a paper's values and claims under the readings of its studies.
+
+    `readings` are those of each study, as `readings_of` gives them; of one name, they are taken
+    together. A row for each value or claim that a reading concerns: `margin` is how many standard
+    errors the least favourable comparison is above no difference, or a value above the printed one.
+    """
+    claims: list[Claim] = import_module(f"repro.papers.{paper}.claims").CLAIMS
+    values = read_published(published)
+    values = values.loc[values["kind"] == "value"]
+    rows = []
+    for reading in dict.fromkeys(name for of_study in readings.values() for name in of_study):
+        of_studies = {
+            study: found[reading] for study, found in readings.items() if reading in found
+        }
+        changes = {name: v for of in of_studies.values() for name, v in of["changes"].items()}
+        view = UnderReading(results, {study: of["points"] for study, of in of_studies.items()})
+        changed = ", ".join(f"{name} = {value}" for name, value in changes.items())
+        where = {"paper": paper, "reading": reading, "changes": changed}
+        found = [*_values(view, of_studies, values), *_claims(view, claims, changes)]
+        rows += [where | row for row in found]
+    write_csv(pd.DataFrame(rows, columns=COLUMNS), path)
+
+
+def _values(
+    view: UnderReading, studies: Iterable[str], published: pd.DataFrame
+) -> Iterator[dict[str, Any]]:
+    ours = {
+        tuple(row[key] for key in KEYS): row
+        for study in studies
+        for row in view.table(study).to_dict("records")
+    }
+    for row in published.to_dict("records"):
+        at = ours.get(tuple(row[key] for key in KEYS))
+        if at is not None:
+            compared = compare_value(
+                float(row["value"]), int(row["digits"]), int(row["trials"]), at, view.tolerance
+            )
+            yield {
+                "item": row["item"],
+                "kind": "value",
+                "points": row["point"],
+                "verdict": compared["verdict"],
+                "margin": compared["z"],
+                "trials": at["trials"],
+            }
+
+
+def _claims(
+    view: UnderReading, claims: Iterable[Claim], changes: Mapping[str, Any]
+) -> Iterator[dict[str, Any]]:
+    """A reading of some filters' settings alone concerns the claims that look at these filters."""
+    filters = {name.partition(".")[0] for name in changes if "." in name}
+    of_filters = len(filters) > 0 and all("." in name for name in changes)
+    for item, _, test in claims:
+        view.used.clear()
+        try:
+            parts = list(test(view))
+        except LookupError:  # a point or filter that does not run, or a sweep that lacks a value
+            yield {"item": item, "kind": "claim", "verdict": NOT_RUN}
+            continue
+        points, used = ({key[i] for key in view.used} for i in (1, 2))
+        if not used or (of_filters and not used & filters):
+            continue
+        yield {
+            "item": item,
+            "kind": "claim",
+            "points": " ".join(sorted(points)),
+            "verdict": overall(part.verdict(view.tolerance) for part in parts),
+            "margin": max(map(_margin, parts)),
+            "trials": min(view.used.values()),
+        }
+
+
+def _margin(part: Part) -> float:
+    """Standard errors of a difference above zero; none can be given for an exact number."""
+    exact = np.copysign(np.inf, part.difference) if part.difference else 0.0
+    return float(part.difference / part.mcse) if part.mcse > 0 else float(exact)
