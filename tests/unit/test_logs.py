@@ -158,3 +158,18 @@ def test_a_missing_or_repeated_step_is_named(log, tmp_path):
     write_log(tmp_path / "doubled.mcap", doubled, period=1.0)
     with pytest.raises(LogError, match="trial 0 has fewer than 12 messages"):
         read_log(tmp_path / "doubled.mcap")
+
+
+@pytest.mark.parametrize("number", [np.nan, np.inf, -np.inf])
+def test_a_log_of_ones_own_pipeline_holds_no_number_that_is_not_finite(log, tmp_path, number):
+    log.values["/received"][1, 2, 0] = number
+    write_log(tmp_path / "nan.mcap", log, period=1.0)
+    field = log.fields["/received"][0]
+    with pytest.raises(LogError, match=f"/received: the field '{field}' of trial 1, step 2 is"):
+        read_log(tmp_path / "nan.mcap")
+
+
+def test_large_numbers_are_finite(log, tmp_path):
+    log.values["/received"][:, :, 0] = 1e308
+    write_log(tmp_path / "large.mcap", log, period=1.0)
+    assert_same(read_log(tmp_path / "large.mcap"), log)

@@ -22,14 +22,16 @@ def read_topics(
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Trials, and the values of each topic by `read`.
 
-    Raises LogError unless all have the same trials, and as many messages a trial; those of `once`
-    have one, and those of `between`, which lie between the steps, one fewer.
+    Raises LogError unless all numbers are finite and all topics have the same trials, and as many
+    messages a trial; those of `once` have one, and those of `between`, which lie between the
+    steps, one fewer.
     """
     topics = {topic: read(content, topic, names) for topic, names in fields.items()}
     if not topics:
         raise LogError(f"{content.path}: the log has no topic")
     trials, _ = next(iter(topics.values()))
-    for topic, (of_topic, _) in topics.items():
+    for topic, (of_topic, values) in topics.items():
+        _check_finite(f"{content.path}: topic {topic}", fields[topic], of_topic, values)
         if not np.array_equal(of_topic, trials):
             raise LogError(f"{content.path}: topic {topic}: other trials than the topics before it")
     lengths = {topic: values.shape[1] for topic, (_, values) in topics.items()}
@@ -75,3 +77,19 @@ def arrange(where: str, trial: np.ndarray, step: np.ndarray, values: np.ndarray)
             wrong = trial[step != expected_step][0]
             raise LogError(f"{where}: trial {wrong:g} has a missing or repeated step")
     return numbers.astype(int), np.ascontiguousarray(values).reshape(len(numbers), steps, -1)
+
+
+def _check_finite(
+    where: str, names: tuple[str, ...], trials: np.ndarray, values: np.ndarray
+) -> None:
+    with np.errstate(invalid="ignore", over="ignore"):
+        total = values.sum()  # in one pass; it may also be too large
+    if np.isfinite(total):
+        return
+    finite = np.isfinite(values)
+    if not finite.all():
+        trial, step, field = np.argwhere(~finite)[0]
+        raise LogError(
+            f"{where}: the field '{names[field]}' of trial {trials[trial]}, step {step} is "
+            f"{values[trial, step, field]}; it must be a finite number"
+        )

@@ -120,21 +120,7 @@ def _topic(content: Content, topic: str, names: tuple[str, ...]) -> Topic:
             f"{where}: 'trial' without 'step', or 'step' without 'trial': give both in every "
             "message, or neither"
         )
-    trials, values = arrange(where, trial, step, values)
-    _check_finite(where, names, trials, values)
-    return trials, values
-
-
-def _check_finite(
-    where: str, names: tuple[str, ...], trials: np.ndarray, values: np.ndarray
-) -> None:
-    finite = np.isfinite(values)
-    if not finite.all():
-        trial, step, field = np.argwhere(~finite)[0]
-        raise LogError(
-            f"{where}: the field '{names[field]}' of trial {trials[trial]}, step {step} is "
-            f"{values[trial, step, field]}; it must be a finite number"
-        )
+    return arrange(where, trial, step, values)
 
 
 def _number(where: str, row: Row, name: str) -> float:
