@@ -28,7 +28,6 @@ from repro.plot import study_figures, style
 from repro.plot.draw import draw
 from repro.runner import FilteredPoint, run_filter
 from repro.simulate import simulate
-from repro.tables.ranking import tabulate_ranking
 from repro.tables.results import Results
 from repro.tables.study_tables import tabulate
 from repro.verdicts.claims import decide
@@ -131,8 +130,9 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> Build:
         for study in points:
             run_study(results, study, paper.studies[study])
             table, curves = results.layout.table(study), results.layout.curves(study)
-            tabulate(results, study, created(table), created(curves))
-            tabulate_ranking(results, study, *map(created, ranking_files(results, study)))
+            files = [table, curves, *ranking_files(results, study)]
+            first, second, *ranking = map(created, files)
+            tabulate(results, study, first, second, ranking)
         compute(computed_tables(paper), results.layout, folder / "computed")
         return Small(paper, results)
 

@@ -30,7 +30,7 @@ rule table:
         ENVIRONMENT
     params:
         results=lambda wildcards: results_of([wildcards.study]),
-        code=code("repro.tables.study_tables", "repro.tables.ranking"),
+        code=code("repro.tables.study_tables"),
     script:
         "../scripts/table.py"
 

@@ -1,4 +1,3 @@
-from repro.tables.ranking import tabulate_ranking
 from repro.tables.results import Results
 from repro.tables.study_tables import tabulate
 from repro.workflow.job import job
@@ -7,5 +6,5 @@ files = snakemake.output
 with job(snakemake.log[0]):
     results = Results(**snakemake.params.results)
     study = snakemake.wildcards.study
-    tabulate(results, study, files.table, files.curves)
-    tabulate_ranking(results, study, files.ranking, files.over_k, files.shares)
+    ranking = files.ranking, files.over_k, files.shares
+    tabulate(results, study, files.table, files.curves, ranking)

@@ -6,12 +6,14 @@ is a traceback; and a change of a kernel that is called from another file goes u
 entry is a file of its own, named by all that its code depends on and checked when it is read.
 """
 
+import fcntl
 import hashlib
 import os
 import pickle
 import platform
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
@@ -28,6 +30,7 @@ from numba.core.serialize import dumps
 SUFFIX = ".kernel"
 _PACKAGE = Path(__file__).parent
 _DIGEST = hashlib.sha256().digest_size
+_PATIENCE = 60.0  # s, after which a kernel is compiled though another process does so too
 
 
 def compiled(function: Callable, **options: Any) -> Any:
@@ -44,6 +47,7 @@ class KernelCache(NullCache):
     def __init__(self, function: Callable):
         self._source = Path(function.__code__.co_filename)
         self._name = f"{function.__module__}.{function.__qualname__}"
+        self._turn = _turn(self._source)
 
     @property
     def cache_path(self) -> str | None:
@@ -51,9 +55,21 @@ class KernelCache(NullCache):
         return next((str(place) for place in self._places()), None)
 
     def load_overload(self, sig: Any, target_context: Any) -> CompileResult | None:
-        """The compiled signature, or None if there is none or it cannot be read."""
+        """The compiled signature, or None if there is none or it cannot be read.
+
+        None begins a turn, which `save_overload` ends.
+        """
         target_context.refresh()
         name = self._file_name(sig, target_context.codegen())
+        found = self._read(name, target_context)
+        if found is None:
+            self._turn.begin()
+            found = self._read(name, target_context)  # of the process that had the turn before
+            if found is not None:
+                self._turn.end()
+        return found
+
+    def _read(self, name: str, target_context: Any) -> CompileResult | None:
         for place in self._places():
             try:
                 stored = (place / name).read_bytes()
@@ -66,6 +82,12 @@ class KernelCache(NullCache):
 
     def save_overload(self, sig: Any, data: CompileResult) -> None:
         """Keep a compiled signature in the first place that can be written, if there is one."""
+        try:
+            self._save(sig, data)
+        finally:
+            self._turn.end()
+
+    def _save(self, sig: Any, data: CompileResult) -> None:
         if data.library.has_dynamic_globals or any(not lifted.can_cache for lifted in data.lifted):
             raise TypeError(f"kernel {self._name} holds an address or a large array as a global")
         payload = dumps(data._reduce())
@@ -113,6 +135,47 @@ class KernelCache(NullCache):
         for entry in place.glob(f"{self._name}.*{SUFFIX}"):
             if not entry.name.startswith(f"{self._name}.{self._stamp()}."):
                 entry.unlink(missing_ok=True)
+
+
+class Turn:
+    """One process at a time compiles kernels of a source: the others take what it has kept.
+
+    Jobs of filters that share kernels start together. A turn may hold others within: of the kernels
+    that a kernel calls. It ends with its process.
+    """
+
+    def __init__(self, source: Path):
+        self._source, self._depth, self._file = source, 0, -1
+
+    def begin(self) -> None:
+        """Wait for the turn, but not for ever, nor where files cannot be locked."""
+        self._depth += 1
+        if self._depth > 1:
+            return
+        give_up = time.monotonic() + _PATIENCE
+        try:
+            self._file = os.open(self._source, os.O_RDONLY)
+            while not self._locked() and time.monotonic() < give_up:
+                time.sleep(0.02)
+        except OSError:
+            return
+
+    def _locked(self) -> bool:
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+        return True
+
+    def end(self) -> None:
+        """Let the next process begin."""
+        self._depth -= 1
+        if self._depth == 0 and self._file >= 0:
+            os.close(self._file)
+            self._file = -1
+
+
+_turn = cache(Turn)
 
 
 def _setting(name: str) -> Any:

@@ -1,7 +1,9 @@
 """The result of a filter on the trials of a point, and the file that holds those of a batch."""
 
+import io
 import zipfile
 from collections.abc import Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import BinaryIO, NamedTuple, Self
 
@@ -62,16 +64,18 @@ def read_runs(path: str | Path, point: str, origin: str | None = None) -> Runs:
     """
     if origin is not None:
         check_runs(path, point, origin)
-    with np.load(path) as file:
-        names = [name for name in file.files if name.startswith(f"{point}/")]
-        of_point = {name.removeprefix(f"{point}/"): _double(file[name]) for name in names}
+    archive = _archive(path)
+    names = [name for name in archive.names if name.startswith(f"{point}/")]
+    of_point = {name.removeprefix(f"{point}/"): _double(archive.read(name)) for name in names}
     n, *components = of_point["components"]
     kept = of_point["error"]
     if len(components) == n:
         error = kept
-    else:
-        error = np.full((*kept.shape[:2], n), np.nan)
-        error[..., components] = kept
+    else:  # a component is contiguous, as they are read one by one
+        error = np.moveaxis(np.empty((n, *kept.shape[:2])), 0, -1)
+        error[..., np.setdiff1d(np.arange(n), components)] = np.nan
+        for place, component in enumerate(components):
+            error[..., component] = kept[..., place]
     recorded = [name for name in of_point if name.startswith("recorded/")]
     return Runs(
         error=error,
@@ -83,9 +87,37 @@ def read_runs(path: str | Path, point: str, origin: str | None = None) -> Runs:
 
 def check_runs(path: str | Path, point: str, origin: str) -> None:
     """Raise ReproError unless the file has runs of the point of that origin."""
-    with np.load(path) as file:
-        name = f"{point}/origin"
-        check_origin(f"{path}, {point}", file[name].item() if name in file else "", origin)
+    archive, name = _archive(path), f"{point}/origin"
+    found = archive.read(name).item() if name in archive.names else ""
+    check_origin(f"{path}, {point}", found, origin)
+
+
+def read_trials(path: str | Path, point: str) -> int:
+    """How many trials of a point the file of its batch has."""
+    return len(_archive(path).read(f"{point}/degenerate"))
+
+
+class Archive:
+    """A file of runs that stays open: to list it takes as long as to read a point."""
+
+    def __init__(self, path: str | Path):
+        self._file = zipfile.ZipFile(path)
+        self.names = {name.removesuffix(".npy"): None for name in self._file.namelist()}
+
+    def read(self, name: str) -> np.ndarray:
+        """The array of that name."""
+        return np.lib.format.read_array(io.BytesIO(self._file.read(f"{name}.npy")))
+
+
+def _archive(path: str | Path) -> Archive:
+    found = Path(path).stat()
+    return _opened(str(path), found.st_ino, found.st_size, found.st_mtime_ns)
+
+
+@lru_cache(maxsize=64)
+def _opened(path: str, *_: int) -> Archive:
+    """The archive of a path; a file that took its place is another."""
+    return Archive(path)
 
 
 def _compact(values: np.ndarray) -> np.ndarray:
@@ -98,9 +130,3 @@ def _compact(values: np.ndarray) -> np.ndarray:
 
 def _double(values: np.ndarray) -> np.ndarray:
     return values.astype(float) if values.dtype == np.float32 else values
-
-
-def read_trials(path: str | Path, point: str) -> int:
-    """How many trials of a point the file of its batch has."""
-    with np.load(path) as file:
-        return len(file[f"{point}/degenerate"])

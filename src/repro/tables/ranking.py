@@ -12,10 +12,9 @@ from repro.parameters.paper_file import Ranking
 from repro.statistics import metrics
 from repro.statistics.metrics import Jackknife
 from repro.statistics.paired import decided
-from repro.statistics.shards import Columns
+from repro.statistics.shards import Columns, Shards
 from repro.tables.csv_file import write_csv
 from repro.tables.results import Results
-from repro.tables.study_tables import share_lost
 
 SHARES = np.linspace(0.0, 1.0, 101)  # of the runs, at which the distribution of errors is kept
 
@@ -81,35 +80,49 @@ def _relative(of_filter: Ranked, reference: Ranked | None) -> float:
     return of_filter.error.value / reference.error.value
 
 
-def tabulate_ranking(results: Results, study: str, table: str, over_k: str, shares: str) -> None:
-    """Write the ranking of every point, the errors over k, and their distribution over the runs."""
-    rows: list[dict[str, Any]] = []
-    curves, distributions = [], []
-    scenario, analysis = plugins.study(study), results.analysis(study)
-    ranking = results.ranking(study)
-    for point, names in results.catalogue[study].items():
-        filters = {}
-        for name in names:
-            shards = results.in_shards(study, point, name)
-            squared = shards.each(scenario.squared_error)
-            filters[name] = ranked(squared, share_lost(scenario, analysis, shards))
-            where = {"study": study, "point": point, "filter": name}
-            statistic = metrics.root_mean(squared)
-            # The steps that count end with the last; a study may leave out the first.
-            k = np.arange(len(statistic.value)) + shards.first.error.shape[1] - len(statistic.value)
-            curves.append(
-                pd.DataFrame(where | {"k": k} | {n: v for n, v in statistic._asdict().items()})
+class Rankings:
+    """The ranking of every point of a study, the errors over k, their distribution over the runs.
+
+    Each filter of a point is added, then the point is ranked.
+    """
+
+    def __init__(self, results: Results, study: str):
+        self._results, self._study, self._scenario = results, study, plugins.study(study)
+        self._ranking = results.ranking(study)
+        self._filters: dict[str, Ranked] = {}  # of the point whose filters are added
+        self._rows: list[dict[str, Any]] = []
+        self._curves: list[pd.DataFrame] = []
+        self._distributions: list[pd.DataFrame] = []
+
+    def add(self, point: str, filter_: str, shards: Shards, lost: float) -> None:
+        """Add the runs of a filter, of which it lost that share."""
+        squared = shards.each(self._scenario.squared_error)
+        of_filter = self._filters[filter_] = ranked(squared, lost)
+        where = {"study": self._study, "point": point, "filter": filter_}
+        statistic = metrics.root_mean(squared)
+        # The steps that count end with the last; a study may leave out the first.
+        k = np.arange(len(statistic.value)) + shards.first.error.shape[1] - len(statistic.value)
+        self._curves.append(pd.DataFrame(where | {"k": k} | statistic._asdict()))
+        single = np.quantile(of_filter.error.single, SHARES)
+        self._distributions.append(pd.DataFrame(where | {"share": SHARES, "error": single}))
+
+    def rank(self, point: str) -> None:
+        """Rank the filters that were added."""
+        results = self._results
+        where = {"study": self._study, "family": results.points(self._study)[point]["family"]}
+        self._rows += [
+            where | {"point": point} | row
+            for row in rank_rows(
+                self._filters, self._ranking, results.own_filters, results.tolerance
             )
-            single = np.quantile(filters[name].error.single, SHARES)
-            distributions.append(pd.DataFrame(where | {"share": SHARES, "error": single}))
-        family = results.points(study)[point]["family"]
-        rows += [
-            {"study": study, "family": family, "point": point} | row
-            for row in rank_rows(filters, ranking, results.own_filters, results.tolerance)
         ]
-    write_csv(rows, table)
-    write_csv(pd.concat(curves), over_k)
-    write_csv(pd.concat(distributions), shares)
+        self._filters = {}
+
+    def write(self, table: str, over_k: str, shares: str) -> None:
+        """Write what was ranked."""
+        write_csv(self._rows, table)
+        write_csv(pd.concat(self._curves), over_k)
+        write_csv(pd.concat(self._distributions), shares)
 
 
 def geometric_mean(values: Any) -> float:

@@ -15,6 +15,8 @@ from repro.logs import Log, read_log
 from repro.origin import of_shard, origin
 from repro.parameters.paper_file import Ranking
 from repro.parameters.point_names import batch_of
+from repro.statistics import metrics
+from repro.statistics.metrics import Jackknife
 from repro.statistics.runs import Runs, read_runs, read_trials
 from repro.statistics.shards import Shards, merged
 
@@ -46,6 +48,7 @@ class Results:
         self.layout, self.catalogue, self.shards = Layout(root), catalogue, range(shards)
         self.tolerance, self.own_filters = tolerance, own_filters
         self._studies = studies
+        self._rmse: dict[tuple, Jackknife] = {}
 
     def analysis(self, study: str) -> Any:
         """The thresholds of a study's metrics and claims, of the study's type `Analysis`."""
@@ -104,6 +107,21 @@ class Results:
     ) -> Any:
         """A quantity of all trials of a filter, an array or Columns: see `Shards.each`."""
         return self.in_shards(study, point, filter_).each(quantity)
+
+    def rmse(
+        self,
+        study: str,
+        point: str,
+        filter_: str,
+        squared: Callable[[Runs], np.ndarray],
+        average: bool,
+    ) -> Jackknife:
+        """`roots_over_steps` of the squared errors; kept, as claims compare each with many."""
+        key = study, point, filter_, squared, average
+        if key not in self._rmse:
+            of_steps = self.each(study, point, filter_, squared)
+            self._rmse[key] = metrics.roots_over_steps(of_steps, average)
+        return self._rmse[key]
 
     def runs(self, study: str, point: str, filter_: str) -> Runs:
         """The runs of a filter on a point, to look at single trials; for statistics use `each`."""

@@ -1,6 +1,6 @@
 """Tables and curves of a study, in long form, each number with its Monte Carlo standard error."""
 
-from pathlib import Path
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -10,12 +10,17 @@ from repro import plugins
 from repro.statistics.shards import Shards
 from repro.studies import Study
 from repro.tables.csv_file import write_csv
+from repro.tables.ranking import Rankings
 from repro.tables.results import Results
 
 
-def tabulate(results: Results, study: str, table: str | Path, curves: str | Path) -> None:
-    """Write the table and the curves of every point and filter of a study."""
+def tabulate(results: Results, study: str, table: str, curves: str, ranking: Sequence[str]) -> None:
+    """Write the table and the curves of every point and filter of a study, and its ranking.
+
+    `ranking` are the files of `Rankings.write`: all of them come of one reading of the runs.
+    """
     scenario, analysis = plugins.study(study), results.analysis(study)
+    rankings = Rankings(results, study)
     rows, over_k = [], []
     for point, filters in results.catalogue[study].items():
         for filter_ in filters:
@@ -42,8 +47,11 @@ def tabulate(results: Results, study: str, table: str | Path, curves: str | Path
                         | {"q10": statistic.q10, "q90": statistic.q90}
                     )
                 )
+            rankings.add(point, filter_, shards, lost)
+        rankings.rank(point)
     write_csv(rows, table)
     write_csv(pd.concat(over_k), curves)
+    rankings.write(*ranking)
 
 
 def share_lost(study: Study, analysis: Any, shards: Shards) -> float:

@@ -6,8 +6,8 @@ from itertools import pairwise
 import numpy as np
 
 from repro.papers.unknown_losses.points import proposed_filters, swept
+from repro.statistics.metrics import Jackknife
 from repro.statistics.runs import Runs
-from repro.statistics.shards import Columns
 from repro.studies import linear_losses
 from repro.studies.linear_losses import Analysis
 from repro.tables.results import Results
@@ -23,9 +23,9 @@ def thresholds(results: Results) -> Analysis:
     return results.analysis(STUDY)
 
 
-def linear(results: Results, point: str, filter_: str) -> Columns:
-    """Squared error of every run and step."""
-    return results.each(STUDY, point, filter_, linear_losses.squared_error)
+def linear(results: Results, point: str, filter_: str, average: bool = False) -> Jackknife:
+    """The RMSE, summed over the steps, or their mean."""
+    return results.rmse(STUDY, point, filter_, linear_losses.squared_error, average)
 
 
 def filters_over_p(results: Results) -> Iterator[tuple[float, str, str]]:

@@ -1,16 +1,17 @@
 """Claims on the number of particles, linear system [unknown_losses Sec. IV-C, Fig. 2, Table I]."""
 
 from collections.abc import Callable
+from decimal import Decimal
 from itertools import pairwise
 
 import numpy as np
 import pandas as pd
 
-from repro.kernels import arrays
 from repro.papers.unknown_losses import operation_counts
 from repro.papers.unknown_losses.claims.linear_losses import STUDY, linear, thresholds
 from repro.papers.unknown_losses.points import particle_sweeps, swept
 from repro.statistics import metrics
+from repro.statistics.paired import independent_error
 from repro.studies import radar
 from repro.tables.results import Results
 from repro.verdicts.claims import Claim, Part, below, claim, smaller
@@ -90,7 +91,7 @@ def needed_particles_depend_on_p(results: Results) -> list[Part]:
     low, high, *_ = sweeps
     most = max(sweeps[low])
     numbers = [
-        metrics.roots_over_steps(linear(results, sweeps[p][n], "rbpf"))
+        linear(results, sweeps[p][n], "rbpf", average=True)
         for p in (low, high)
         for n in (few, most)
     ]
@@ -127,7 +128,7 @@ def faster(results: Results, first: str, second: str, number: Callable[..., int]
             Part(
                 f"p={p}, N={particles}: {first} - {second} in us",
                 time - other_time,
-                arrays.hypot(error, other_error),
+                independent_error(error, other_error),
             )
         )
     return parts
@@ -143,7 +144,8 @@ def time_is_proportional(results: Results) -> list[Part]:
     for p, points in particle_sweeps(results.catalogue).items():
         many, few = max(points), max(points) // 10
         ratio = iteration_time("rbpf", many, p)[0] / iteration_time("rbpf", few, p)[0]
-        decades, proportional = arrays.log10(ratio), arrays.log10(many / few)
+        # To the last digit on every machine, and without the second that numba takes to start.
+        decades, proportional = (float(Decimal(x).log10()) for x in (ratio, many / few))
         parts.append(
             below(
                 f"p={p}: |log10 of time({many}) / time({few}) - {proportional:g}|",

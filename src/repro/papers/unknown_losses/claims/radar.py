@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from repro.papers.unknown_losses.points import proposed_filters, rbpf_of, swept
-from repro.statistics.shards import Columns
+from repro.statistics.metrics import Jackknife
 from repro.studies import radar
 from repro.studies.radar import Analysis
 from repro.tables.results import Results
@@ -24,9 +24,9 @@ def thresholds(results: Results) -> Analysis:
     return results.analysis(STUDY)
 
 
-def tracking(results: Results, point: str, filter_: str) -> Columns:
-    """Squared position error of every run and step, in m^2."""
-    return results.each(STUDY, point, filter_, radar.squared_error)
+def tracking(results: Results, point: str, filter_: str) -> Jackknife:
+    """The RMSE of the position, mean over the steps, in m."""
+    return results.rmse(STUDY, point, filter_, radar.squared_error, average=True)
 
 
 def proposed(results: Results) -> tuple[str, ...]:
@@ -48,12 +48,12 @@ def most_runs_at(results: Results, probabilities: Iterable[float]) -> list[str]:
 def on_average(results: Results, first: str, second: str) -> list[Part]:
     """`first` has the smaller RMSE, averaged over the steps and over p."""
     points = swept(results.catalogue, STUDY).values()
-    squared = [tracking(results, point, name) for point in points for name in (first, second)]
+    numbers = [tracking(results, point, name) for point in points for name in (first, second)]
 
     def difference(*values):
         return sum(values[::2]) / len(points) - sum(values[1::2]) / len(points)
 
-    return [negative(f"mean over p: {first} - {second}", difference, *squared, average=True)]
+    return [negative(f"mean over p: {first} - {second}", difference, *numbers)]
 
 
 def tracked_better(
@@ -63,10 +63,10 @@ def tracked_better(
     parts = []
     for point in most_runs_at(results, probabilities):
         rbpf = rbpf_of(results.catalogue, STUDY, point)
-        runs = [
+        numbers = [
             tracking(results, point, rbpf if name == "rbpf" else name) for name in (first, second)
         ]
-        parts.append(smaller_rmse(f"{point}: {first} - {second}", *runs, average=True))
+        parts.append(smaller_rmse(f"{point}: {first} - {second}", *numbers))
     return parts
 
 
@@ -118,7 +118,6 @@ def rmse_grows_with_p(results: Results) -> list[Part]:
             f"{name}: p={low} - p={high}",
             tracking(results, points[low], name),
             tracking(results, points[high], name),
-            average=True,
         )
         for name in ("iekf", *proposed(results))
         for low, high in pairwise(points)
