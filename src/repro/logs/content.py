@@ -227,7 +227,7 @@ def _decompressed(chunk: Chunk, zstd: zstandard.ZstdDecompressor) -> bytes:
         data = chunk.data
     if len(data) != size:
         raise ValueError("a chunk of another size than it states")
-    if chunk.uncompressed_crc not in (0, zlib.crc32(data)):
+    if chunk.uncompressed_crc and chunk.uncompressed_crc != zlib.crc32(data):
         raise ValueError("CRC of a chunk")
     return data
 
