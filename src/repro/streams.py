@@ -3,9 +3,12 @@
 import math
 from collections.abc import Callable, Iterable
 from functools import cached_property
+from typing import Any
 from zlib import crc32
 
 import numpy as np
+
+from repro.seed_sequences import Seed, seeds
 
 Fill = Callable[[np.random.Generator, np.ndarray], object]  # draws into an array
 
@@ -20,25 +23,22 @@ class Streams:
     def __init__(self, root_seed: int, study: str, role: str, trials: Iterable[int]):
         role_key = (crc32(study.encode()), crc32(role.encode()))
         self._root_seed = root_seed
-        self._spawn_keys = [(*role_key, trial) for trial in trials]
+        self._spawn_keys = np.array([(*role_key, trial) for trial in trials]).reshape(-1, 3)
 
     @cached_property
     def generators(self) -> list[np.random.Generator]:
         """NumPy's generators, one a trial."""
-        return [
-            np.random.Generator(np.random.PCG64(self._sequence(key))) for key in self._spawn_keys
-        ]
+        words = seeds(self._root_seed, self._spawn_keys, 4)  # as many as PCG64 takes
+        sequences: list[Any] = list(map(Seed, words))  # NumPy's types name its own class alone
+        return [np.random.Generator(np.random.PCG64(sequence)) for sequence in sequences]
 
     def keys(self) -> np.ndarray:
         """Keys of the counter-based generator of `repro.kernels.random`, (trials,) uint64.
 
         Of a child of each stream's seed sequence, so that they are independent of `generators`.
         """
-        keys = [self._sequence((*key, 1)).generate_state(1, np.uint64) for key in self._spawn_keys]
-        return np.concatenate(keys) if keys else np.empty(0, dtype=np.uint64)
-
-    def _sequence(self, spawn_key: tuple[int, ...]) -> np.random.SeedSequence:
-        return np.random.SeedSequence(self._root_seed, spawn_key=spawn_key)
+        of_child = np.insert(self._spawn_keys, 3, 1, axis=1)
+        return seeds(self._root_seed, of_child, 1)[:, 0]
 
     def __len__(self) -> int:
         return len(self._spawn_keys)

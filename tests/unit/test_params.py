@@ -14,6 +14,7 @@ from repro.parameters.load import (
     load_run,
     sources,
     user_values,
+    whose_logs,
 )
 from tests.conftest import ROOT
 
@@ -210,6 +211,16 @@ def test_points_are_resolved():
     assert point.filters["emvf"]["initial_second_moment"] == "P0"
     base = studies["wsn_tracking"]["n2-arrival=0.9"]
     assert base.filters["emvf"]["initial_second_moment"] == "theorem_2"
+
+
+def test_points_that_are_simulated_alike_share_a_log():
+    points = load_paper(PAPER).studies["linear_delays"]
+    of_sign, of_sine = "reading-qbar_sign=-1", "reading-sine_period=300"
+    shared = whose_logs(points)
+    assert shared[of_sign] == shared["arrival=0.5"] == "arrival=0.5"  # a setting of filters
+    assert shared[of_sine] == of_sine  # a value of the simulation
+    requested = {"sensitivity-a": points[of_sign], "arrival=0.5": points["arrival=0.5"]}
+    assert set(whose_logs(requested).values()) == {"arrival=0.5"}
 
 
 def test_a_sweep_reaches_the_settings_of_filters_and_joins_keys(tmp_path):

@@ -15,7 +15,7 @@ from repro.statistics.runs import Runs, RunsWriter
 from tests.conftest import small_log
 
 STUDY, POINT = "linear_delays", "arrival=0.5"
-MADE = {STUDY: {POINT: {"trials": 3, "log": "1", "filters": {"omvf": "2"}}}}
+MADE = {STUDY: {POINT: {"trials": 3, "log_of": POINT, "log": "1", "filters": {"omvf": "2"}}}}
 
 
 @pytest.fixture

@@ -70,6 +70,16 @@ def test_readings_and_points_on_request_are_batches_of_their_own():
     assert registry.in_batch("mapf", "deadband", "main") == []
 
 
+def test_points_of_one_log():
+    shared = {"radar": {"loss=0.5": "loss=0.1"}}
+    registry = Registry(Layout("results"), POINTS, shards=1, log_of=shared)
+    registry.runs("ekf", ["radar"])
+    files = [f"results/logs/radar/{point}/0.mcap" for point in ("loss=0.1", "markov")]
+    assert registry.log_files("radar") == files
+    assert registry.log_files("radar", ["loss=0.5"]) == files[:1]
+    assert next(registry.batches()) == ("radar", "main", ["loss=0.1", "markov"])
+
+
 def test_points_on_request_are_left_out_unless_requested():
     registry = Registry(Layout("results"), {"deadband": ["base", "sensitivity-noise"]}, shards=1)
     registry.runs("mapf", ["deadband"])

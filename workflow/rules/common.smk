@@ -25,6 +25,7 @@ from repro.parameters.load import (
     load_paper,
     load_run,
     user_values,
+    whose_logs,
 )
 from repro.parameters.point_names import on_request
 from repro.parameters.readings import readings_of
@@ -72,8 +73,16 @@ if RUNS_JOBS:
     sweep(FIGURES)
 # With one point of each family there is nothing to compare: no claims, no diff.
 SMOKE = RUN.one_point_per_family
-LEFT_OUT = {study: points.keys() - first_of_families(points) for study, points in STUDIES.items()}
-REGISTRY = Registry(LAYOUT, STUDIES, RUN.shards, LEFT_OUT if SMOKE else None)
+LEFT_OUT = {
+    study: points.keys() - first_of_families(points) if SMOKE else set()
+    for study, points in STUDIES.items()
+}
+# Points that are simulated with the same values share the log of one of them.
+LOG_OF = {
+    study: whose_logs({name: points[name] for name in points if name not in LEFT_OUT[study]})
+    for study, points in STUDIES.items()
+}
+REGISTRY = Registry(LAYOUT, STUDIES, RUN.shards, LEFT_OUT, LOG_OF)
 # Filters that some parameter file ranks; all others are a reader's own.
 RANKED = {
     f for paper in PAPERS.values() for ranking in paper.ranking.values() for f in ranking.known()

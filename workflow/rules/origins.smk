@@ -11,7 +11,8 @@ def filtered_points(wildcards):
     for point, made in in_batch(wildcards.filter, study, wildcards.batch).items():
         trials = of_shard(made["trials"], shard, RUN.shards)
         points[point] = {
-            "log": LAYOUT.log(study, point, shard),
+            "log": LAYOUT.log(study, made["log_of"], shard),
+            "log_of": made["log_of"],
             "settings": made["settings"],
             "log_origin": origin(made["log"], trials),
             "origin": origin(made["runs"], trials),
@@ -20,9 +21,10 @@ def filtered_points(wildcards):
 
 
 def filtered_logs(wildcards):
-    """Logs of those points."""
+    """Logs of those points, some of which may share one."""
     batch = in_batch(wildcards.filter, wildcards.study, wildcards.batch)
-    return [LAYOUT.log(wildcards.study, point, wildcards.shard) for point in batch]
+    of_points = dict.fromkeys(made["log_of"] for made in batch.values())
+    return [LAYOUT.log(wildcards.study, point, wildcards.shard) for point in of_points]
 
 
 @cache
@@ -32,6 +34,7 @@ def in_batch(name, study, batch):
         point: {
             "trials": STUDIES[study][point].parameters.trials,
             "settings": REGISTRY.settings(name, study, point),
+            "log_of": REGISTRY.log_of(study, point),
             "log": log_made_with(study, point),
             "runs": runs_made_with(name, study, point),
         }
@@ -43,7 +46,8 @@ def in_batch(name, study, batch):
 def log_made_with(study, point):
     """Digest of what the trials of a point are simulated with."""
     simulation = or_exit(code_digest, "repro.simulate", f"repro.studies.{study}")
-    return digest(study, point, plain_parameters(study, point), RUN.root_seed, simulation)
+    logged = REGISTRY.log_of(study, point)
+    return digest(study, logged, plain_parameters(study, logged), RUN.root_seed, simulation)
 
 
 @cache
@@ -59,6 +63,7 @@ def origins(study, requested=False):
     return {
         point: {
             "trials": STUDIES[study][point].parameters.trials,
+            "log_of": REGISTRY.log_of(study, point),
             "log": log_made_with(study, point),
             "filters": {name: runs_made_with(name, study, point) for name in filters},
         }

@@ -107,7 +107,7 @@ class Container:
             data=compressed,
             message_start_time=int(times.min()),
             message_end_time=int(times.max()),
-            uncompressed_crc=zlib.crc32(data),
+            uncompressed_crc=0,  # none: that of the data section is over these bytes too
             uncompressed_size=len(data),
         )
         offset, length = self._put(_bytes(chunk))

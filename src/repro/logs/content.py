@@ -27,8 +27,11 @@ from repro.logs.format import (
 )
 
 CHANNEL_ID = struct.Struct("<H")
+CHUNK_HEAD = struct.Struct("<QQQII")  # times, uncompressed size, CRC, length of compression
+CHUNK_LENGTH = struct.Struct("<Q")  # of its messages, compressed
 MESSAGE_HEAD = record_dtype(0).itemsize - payload_dtype(0).itemsize  # bytes before a payload
 LOG_TIME = RECORD_HEAD.size + 6  # its offset in a message record, after channel and sequence
+AHEAD = 16  # times as many messages are looked at as are known to be alike
 NAMED = 20  # topics of a log that a message names
 
 
@@ -54,6 +57,7 @@ class Content:
         self.provenance: dict[str, str] | None = None
         self.parameters: dict = {}
         self._closed: set[Opcode] = set()
+        self._zstd = zstandard.ZstdDecompressor()
         try:
             self._check_size(Path(path).stat().st_size)
             data = Path(path).read_bytes()
@@ -98,17 +102,20 @@ class Content:
             elif opcode == Opcode.FOOTER:
                 _check_summary(data, Footer.read(_stream(data, body, end)), end - CRC.size)
                 self._closed.add(Opcode.FOOTER)
+            elif opcode == Opcode.CHUNK:
+                self._walk_chunk(_chunk(memoryview(data)[body:end]))
             elif opcode in _READ:
                 self._keep(_READ[opcode](_stream(data, body, end)))
             position = end
 
+    def _walk_chunk(self, chunk: Chunk) -> None:
+        self._decompressed += max(chunk.uncompressed_size, len(chunk.data))
+        self._check_size(self._decompressed)
+        data = _decompressed(chunk, self._zstd)
+        self._walk(data, 0, len(data))
+
     def _keep(self, record: McapRecord) -> None:
         match record:
-            case Chunk():
-                self._decompressed += max(record.uncompressed_size, len(record.data))
-                self._check_size(self._decompressed)
-                data = _decompressed(record)
-                self._walk(data, 0, len(data))
             case Schema():
                 if self.schemas.setdefault(record.id, record) != record:
                     raise ValueError(f"two schemas have the number {record.id}")
@@ -190,7 +197,19 @@ def _log_times(records: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(records[:, LOG_TIME : LOG_TIME + 8]).view("<u8")[:, 0]
 
 
-def _decompressed(chunk: Chunk) -> bytes:
+def _chunk(body: memoryview) -> Chunk:
+    """A chunk record; unlike mcap's own function it does not copy the bytes of the messages."""
+    start, end, size, crc, name = CHUNK_HEAD.unpack_from(body)
+    compression = bytes(body[CHUNK_HEAD.size : CHUNK_HEAD.size + name]).decode()
+    (length,) = CHUNK_LENGTH.unpack_from(body, CHUNK_HEAD.size + name)
+    begin = CHUNK_HEAD.size + name + CHUNK_LENGTH.size
+    if begin + length > len(body):
+        raise ValueError("the messages of a chunk reach past its end")
+    data: Any = body[begin : begin + length]  # a view, where Chunk has bytes
+    return Chunk(compression, data, end, start, crc, size)
+
+
+def _decompressed(chunk: Chunk, zstd: zstandard.ZstdDecompressor) -> bytes:
     """The records of a chunk, which must be of the size and CRC that it states.
 
     Never more bytes than that, unlike mcap's own function: a small file may hold gigabytes.
@@ -199,7 +218,7 @@ def _decompressed(chunk: Chunk) -> bytes:
     if chunk.compression == "zstd":
         if zstandard.frame_content_size(chunk.data) not in (-1, size):
             raise ValueError("a chunk of another size than it states")
-        data = zstandard.decompress(chunk.data, max_output_size=size) if size else b""
+        data = zstd.decompress(chunk.data, max_output_size=size) if size else b""
     elif chunk.compression == "lz4":
         from lz4.frame import LZ4FrameDecompressor  # of foreign logs only
 
@@ -208,13 +227,12 @@ def _decompressed(chunk: Chunk) -> bytes:
         data = chunk.data
     if len(data) != size:
         raise ValueError("a chunk of another size than it states")
-    if chunk.uncompressed_crc not in (0, zlib.crc32(data)):
+    if chunk.uncompressed_crc and chunk.uncompressed_crc != zlib.crc32(data):
         raise ValueError("CRC of a chunk")
     return data
 
 
 _READ = {  # the records that are read; the indexes are for players
-    Opcode.CHUNK: Chunk.read,
     Opcode.SCHEMA: Schema.read,
     Opcode.CHANNEL: Channel.read,
     Opcode.METADATA: Metadata.read,
@@ -232,14 +250,14 @@ def _equal_records(data: bytes, start: int, end: int, stop: int) -> np.ndarray:
     fitting = (stop - start) // size
     table = np.frombuffer(data, np.uint8, fitting * size, start).reshape(fitting, size)
     heads = np.frombuffer(data, record_head_dtype(size), fitting, start)
+    opcode_and_length, channel = heads["opcode_and_length"], heads["channel"]
     ahead = 1
-    while ahead < fitting:  # doubled, so that messages of mixed sizes cost linear time
-        some = heads[ahead : 2 * ahead]
-        same = (some["length"] == heads["length"][0]) & (some["channel"] == heads["channel"][0])
-        same &= some["opcode"] == heads["opcode"][0]
+    while ahead < fitting:  # farther and farther: messages of mixed sizes cost linear time
+        some = slice(ahead, AHEAD * ahead)
+        same = (opcode_and_length[some] == opcode_and_length[0]) & (channel[some] == channel[0])
         if not same.all():
             return table[: ahead + int(same.argmin())]
-        ahead *= 2
+        ahead *= AHEAD
     return table
 
 

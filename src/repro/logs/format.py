@@ -93,7 +93,8 @@ def record_dtype(fields: int) -> np.dtype:
 
 def record_head_dtype(size: int) -> np.dtype:
     """What tells the records of one channel, of this size, from others."""
-    heads = {"opcode": ("u1", 0), "length": ("<u8", 1), "channel": ("<u2", RECORD_HEAD.size)}
+    # The length's highest byte is left to the channel's entry, so that two numbers are enough.
+    heads = {"opcode_and_length": ("<u8", 0), "channel": ("<u4", RECORD_HEAD.size - 2)}
     formats, offsets = zip(*heads.values(), strict=True)
     return np.dtype(
         {"names": list(heads), "formats": formats, "offsets": offsets, "itemsize": size}

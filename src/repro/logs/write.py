@@ -88,7 +88,7 @@ def _records(
     records["opcode"] = Opcode.MESSAGE
     records["length"] = records.dtype.itemsize - RECORD_HEAD.size
     records["channel"] = channel
-    records["sequence"] = trials[:, None] * count + np.arange(count)
+    records["sequence"] = 0  # not used, as in rosbag2: trial and step say more
     records["log_time"] = records["publish_time"] = time
     payload = records["payload"]
     payload["cdr"] = CDR_LITTLE_ENDIAN

@@ -69,6 +69,14 @@ def arrivals(uniforms: np.ndarray, chain: Losses) -> np.ndarray:
     return gamma
 
 
+def sensed(received: np.ndarray, gamma: np.ndarray, noiseless: np.ndarray) -> np.ndarray:
+    """noiseless + v, bit by bit: what arrives, and for a lost packet with the v that is received.
+
+    All arrays (trials, steps, components), gamma with one component.
+    """
+    return np.where(gamma == 1, received, noiseless + received)
+
+
 def log_odds(probability: np.ndarray | float) -> np.ndarray:
     """log(p / (1 - p)); infinite, not NaN, at 0 and 1."""
     return arrays.log(probability) - arrays.log1p(-np.asarray(probability))

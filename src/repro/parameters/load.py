@@ -1,5 +1,6 @@
 """Parameters: every value with its source, validated, and resolved for each point of a study."""
 
+import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
@@ -16,7 +17,7 @@ from repro.parameters.paper_file import (
     every_value,
     plain,
 )
-from repro.parameters.point_names import is_reading
+from repro.parameters.point_names import is_reading, on_request
 from repro.parameters.settings import checked_settings
 from repro.parameters.values import ParameterError, PointParameters, Positive, Values
 from repro.parameters.yaml_file import check_plain, parsed, read_yaml
@@ -105,6 +106,19 @@ def first_of_families(points: Mapping[str, Point]) -> list[str]:
         if not is_reading(name):
             first.setdefault(point.family, name)
     return list(first.values())
+
+
+def whose_logs(points: Mapping[str, Point]) -> dict[str, str]:
+    """The point whose log each point reads: the first that is simulated with the same values.
+
+    Points that differ in the settings of filters alone share one log. A point on request lends its
+    log to others on request only, for an ordinary run does not simulate it.
+    """
+    first: dict[str, str] = {}  # by the values
+    return {
+        name: first.setdefault(json.dumps(points[name].parameters.plain(), sort_keys=True), name)
+        for name in sorted(points, key=on_request)
+    }
 
 
 def load_paper(path: str | Path) -> Paper:

@@ -72,7 +72,7 @@ class Records:
         trials: tuple[int, int],
         there: Collection[str],
     ) -> None:
-        log = self._layout.log(study, point, shard)
+        log = self._layout.log(study, made["log_of"], shard)
         if log in there:
             check_origin(log, logged_origin(log), origin(made["log"], trials))
         for name, made_with in made["filters"].items():

@@ -109,6 +109,7 @@ class FilteredPoint(NamedTuple):
     settings: dict[str, Any]
     log_origin: str | None = None  # what the log must come from; None: anything
     origin: str = ""  # what the runs come from
+    log_of: str | None = None  # the point whose log it is; None: its own
 
 
 def run_filter(
@@ -127,8 +128,8 @@ def run_filter(
     ):
         for point, given in points.items():
             begun = time.process_time()
-            log = read_checked_log(given.log, study, point, given.log_origin)
-            _, runs = run(log, name, given.settings)
+            log = read_checked_log(given.log, study, given.log_of or point, given.log_origin)
+            _, runs = run(log._replace(point=point), name, given.settings)
             writer.add(point, runs, given.origin)
             seconds[point] = time.process_time() - begun
     return seconds

@@ -44,20 +44,26 @@ class Study(ABC):
         """Fields of each topic of the logs."""
 
     def derived(self, parameters: Any) -> Fields:
-        """Fields of the topics that its logs leave out, as `complete` computes them again."""
+        """Fields of the topics that its logs leave out, as they follow bit by bit from the rest."""
+        return {}
+
+    def recomputed(self, log: Log) -> dict[str, np.ndarray]:
+        """Values of the topics that have derived fields, from a log without them."""
         return {}
 
     def complete(self, log: Log) -> Log:
         """A log with the derived fields, from one without them."""
-        return log
+        fields, values = self.topics(log.parameters), log.values | self.recomputed(log)
+        return log._replace(fields=fields, values={topic: values[topic] for topic in fields})
 
     def stored(self, parameters: Any) -> Fields:
         """Fields of each topic that its logs hold."""
         derived = self.derived(parameters)
-        return {
+        stored = {
             topic: tuple(name for name in names if name not in derived.get(topic, ()))
             for topic, names in self.topics(parameters).items()
         }
+        return {topic: names for topic, names in stored.items() if names}
 
     @abstractmethod
     def simulate(self, parameters: Any, streams: StreamsOf) -> dict[str, np.ndarray]:

@@ -52,6 +52,11 @@ class Analysis(Values):
     ]
 
 
+def _measurement(truth: np.ndarray, parameters: Parameters) -> np.ndarray:
+    """C x(k), (trials, steps + 1)."""
+    return (truth * np.array(parameters.measurement_row)).sum(axis=-1)
+
+
 class LinearDelays(Study):
     """A stable plant of two states, one scalar measurement, packets at most N steps late.
 
@@ -80,7 +85,7 @@ class LinearDelays(Study):
             np.array(parameters.true_initial_state), noise, parameters.sine_period
         )
         v = np.sqrt(parameters.measurement_variance) * streams("sensor").standard_normal(steps + 1)
-        z = (truth * np.array(parameters.measurement_row)).sum(axis=-1) + v
+        z = _measurement(truth, parameters) + v
         flags = packet_delays.arrival_flags(
             streams("network").uniform(
                 packet_delays.flags_per_step(bound, lossy=False), steps + 1
@@ -98,6 +103,16 @@ class LinearDelays(Study):
                 [np.moveaxis(flags, 1, -1), delay[:, :, None].astype(float)], axis=-1
             ),
         }
+
+    def derived(self, parameters: Parameters) -> Fields:
+        return {"/sensor": self.topics(parameters)["/sensor"]}
+
+    def recomputed(self, log: Log) -> dict[str, np.ndarray]:
+        """z of the uncertain channel: itself where it arrives, else with the noise v that does."""
+        uncertain = log.field("/received", "uncertain")
+        measured = _measurement(log.values["/truth"], log.parameters)
+        arrived = log.field("/network", "gamma_0") == 1
+        return {"/sensor": np.where(arrived, uncertain, measured + uncertain)[:, :, None]}
 
     def model(self, parameters: Parameters) -> LinearModel:
         entry = np.array(parameters.process_noise_entry)

@@ -91,6 +91,11 @@ def _sum(values: np.ndarray) -> np.ndarray:
     return values[..., 0] + values[..., 1]
 
 
+def _measurement(truth: np.ndarray, parameters: Parameters) -> np.ndarray:
+    """C x(k), (trials, steps, 1)."""
+    return linear_system.product(np.array([parameters.measurement_row]), truth)
+
+
 class LinearLosses(Study):
     """Error of the whole state over the loss probability and the number of particles.
 
@@ -126,15 +131,23 @@ class LinearLosses(Study):
             np.array(parameters.initial_mean) + prior,
             process,
         )  # (20)
-        measured = linear_system.product(np.array([parameters.measurement_row]), truth)[:, :, 0]
+        measured = _measurement(truth, parameters)
         v = np.sqrt(parameters.measurement_variance) * streams("sensor").standard_normal(steps)
         gamma = losses.arrivals(streams("network").uniform(steps), losses.losses(parameters))
         return {
             "/truth": truth,
-            "/sensor": (measured + v)[:, :, None],
-            "/received": (gamma * measured + v)[:, :, None],
+            "/sensor": measured + v[:, :, None],
+            "/received": gamma[:, :, None] * measured + v[:, :, None],
             "/network": gamma[:, :, None],
         }
+
+    def derived(self, parameters: Parameters) -> Fields:
+        return {"/sensor": self.topics(parameters)["/sensor"]}
+
+    def recomputed(self, log: Log) -> dict[str, np.ndarray]:
+        received, gamma = log.values["/received"], log.values["/network"]
+        noiseless = _measurement(log.values["/truth"], log.parameters)
+        return {"/sensor": losses.sensed(received, gamma, noiseless)}
 
     def model(self, parameters: Parameters) -> Model:
         transition = np.array(parameters.transition_matrix)

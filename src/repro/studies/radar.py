@@ -153,6 +153,14 @@ class Radar(Study):
             "/network": gamma[:, :, None],
         }
 
+    def derived(self, parameters: Parameters) -> Fields:
+        return {"/sensor": self.topics(parameters)["/sensor"]}
+
+    def recomputed(self, log: Log) -> dict[str, np.ndarray]:
+        received, gamma = log.values["/received"], log.values["/network"]
+        noiseless = _measurement(log.values["/truth"], log.parameters)
+        return {"/sensor": losses.sensed(received, gamma, noiseless)}
+
     def model(self, parameters: Parameters) -> Model:
         transition = system.transition_matrix(parameters.sampling_time)
         process, prior = _covariances(parameters)

@@ -133,6 +133,12 @@ def _trajectory(parameters: Parameters, streams: StreamsOf) -> np.ndarray:
     return truth
 
 
+def _received(noise: np.ndarray, delay: np.ndarray) -> np.ndarray:
+    """Step that a packet is from, and y without one, (trials, steps + 1, 2)."""
+    received = [packet_delays.origins(delay), packet_delays.value_without_packet(noise, delay)]
+    return np.stack(received, axis=-1).astype(float)
+
+
 def positions(log: Log) -> np.ndarray:
     """Sensor positions of each trial, (trials, sensors, 2), in m."""
     field = log.values["/field"]
@@ -191,26 +197,26 @@ class WsnTracking(Study):
             parameters.arrival_probability,
         )
         delay = packet_delays.delays(flags, bound)
-        received = [packet_delays.origins(delay), packet_delays.value_without_packet(v, delay)]
         return {
             "/truth": truth,
             "/field": positions.reshape(len(positions), 1, -1),
             "/sensor": ranges,
-            "/received": np.stack(received, axis=-1).astype(float),
+            "/received": _received(v, delay),
             "/network": np.concatenate(
                 [np.moveaxis(flags, 1, -1), delay[:, :, None].astype(float)], axis=-1
             ),
         }
 
     def derived(self, parameters: Parameters) -> Fields:
-        return {"/sensor": self.topics(parameters)["/sensor"][1:]}  # three quarters of a log
+        topics = self.topics(parameters)  # the ranges alone are three quarters of a log
+        return {"/sensor": topics["/sensor"][1:], "/received": topics["/received"]}
 
-    def complete(self, log: Log) -> Log:
+    def recomputed(self, log: Log) -> dict[str, np.ndarray]:
         noise = np.ascontiguousarray(log.field("/sensor", "noise"))
         sensor = np.empty((*noise.shape, log.parameters.sensors + 1))
         turn_and_schedule.ranges(log.values["/truth"], positions(log), noise, sensor)
-        fields = self.topics(log.parameters)
-        return log._replace(fields=fields, values=log.values | {"/sensor": sensor})
+        delay = log.field("/network", "delay").astype(int)
+        return {"/sensor": sensor, "/received": _received(noise, delay)}
 
     def model(self, parameters: Parameters) -> Model:
         process_covariance = np.zeros((len(STATE), len(STATE)))

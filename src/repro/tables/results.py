@@ -20,7 +20,8 @@ from repro.statistics.metrics import Jackknife
 from repro.statistics.runs import Runs, read_runs, read_trials
 from repro.statistics.shards import Shards, merged
 
-# Study -> point -> "trials", "log" (digest of what logs are made with), "filters" (of runs).
+# Study -> point -> "trials", "log_of" (the point whose log it reads), "log" (digest of what that is
+# made with), "filters" (of runs).
 Origins = Mapping[str, Mapping[str, Mapping[str, Any]]]
 
 
@@ -100,7 +101,9 @@ class Results:
 
     def _shard_of_log(self, study: str, point: str, shard: int) -> Log:
         expected = self._expected(study, point, shard)
-        return read_log(self.layout.log(study, point, shard), origin=expected)
+        log_of = self._origins[study][point]["log_of"] if self._origins else point
+        log = read_log(self.layout.log(study, log_of, shard), origin=expected)
+        return log._replace(point=point)
 
     def each(
         self, study: str, point: str, filter_: str, quantity: Callable[[Runs], np.ndarray]

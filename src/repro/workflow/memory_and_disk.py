@@ -17,7 +17,7 @@ from repro.parameters.values import PointParameters
 
 MB, GB = 1e6, 1e9
 MESSAGE = 51  # bytes of a message besides its values, its index entry included
-COMPRESSED = 0.45  # of a log
+COMPRESSED = 0.5  # of a log
 KEPT = 1.4  # numbers in the file of runs, for each component of the error that it keeps
 JOB = 100 * MB  # of a process that has imported what it needs
 HELD = 1.6  # bytes in the memory of a job, for each byte of its log before compression
@@ -72,15 +72,15 @@ def _sizes(study: str, parameters: PointParameters, shards: int) -> dict[str, fl
     scenario = plugins.study(study)
     topics = scenario.topics(parameters)
     rows = -(-parameters.trials // shards) * (parameters.steps + 1)
-    of_each_step = [fields for t, fields in topics.items() if t not in scenario.constant_topics]
-    messages = rows * sum(MESSAGE + 8 * len(fields) for fields in of_each_step)
-    stored = scenario.stored(parameters)
-    left_out = sum(len(names) - len(stored[topic]) for topic, names in topics.items())
+    messages, stored = (
+        rows * sum(MESSAGE + 8 * len(of[t]) for t in of if t not in scenario.constant_topics)
+        for of in (topics, scenario.stored(parameters))
+    )
     states = len(topics.get("/truth") or scenario.model(parameters).initial_mean)
     kept = len(scenario.kept_components or range(states))
     return {
         "messages": messages,
-        "logs": COMPRESSED * (messages - 8 * rows * left_out),
+        "logs": COMPRESSED * stored,
         "runs": 4 * KEPT * rows * kept,
     }
 

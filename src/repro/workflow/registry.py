@@ -55,12 +55,14 @@ class Registry:
         points: Mapping[str, Mapping[str, Point]],
         shards: int,
         left_out: Mapping[str, Collection[str]] | None = None,
+        log_of: Mapping[str, Mapping[str, str]] | None = None,
     ):
         """`points` are each study's points by name; `shards` the jobs of each point.
 
         On points that are `left_out`, by study, no filter runs, though rules may name them.
+        `log_of` has for each study the point whose log a point reads, where not its own.
         """
-        self._left_out = left_out or {}
+        self._left_out, self._log_of = left_out or {}, log_of or {}
         self._layout, self._shards = layout, range(shards)
         self._filters: Catalogue = {
             study: {p: [] for p in named} for study, named in points.items()
@@ -185,16 +187,18 @@ class Registry:
 
     def log_files(self, study: str, points: Collection[str] | None = None) -> list[str]:
         """Logs of the given (or all) points of a study that a filter runs on."""
-        return [
-            self._layout.log(study, point, shard)
-            for point, _ in self._chosen(study, points)
-            for shard in self._shards
-        ]
+        of_points = dict.fromkeys(self.log_of(study, p) for p, _ in self._chosen(study, points))
+        return [self._layout.log(study, p, shard) for p in of_points for shard in self._shards]
+
+    def log_of(self, study: str, point: str) -> str:
+        """The point whose log a point reads."""
+        return self._log_of.get(study, {}).get(point, point)
 
     def batches(self) -> Iterator[tuple[str, str, list[str]]]:
-        """Study, name of the batch and its points, of which one job makes the logs of a shard."""
+        """Study, name of the batch and those points that one job makes the logs of a shard of."""
         for study, filters in self._filters.items():
-            points = [p for p in filters if p not in self._left_out.get(study, ())]
+            simulated = [p for p in filters if p not in self._left_out.get(study, ())]
+            points = [p for p in simulated if self.log_of(study, p) == p]
             for batch in dict.fromkeys(map(batch_of, points)):
                 yield study, batch, [p for p in points if batch_of(p) == batch]
 
