@@ -30,6 +30,7 @@ class UnderReading(Results):
     def __init__(self, results: Results, points: Mapping[str, Mapping[str, str]]):
         """`points` gives by study, for each point that the reading is of, the one read so."""
         vars(self).update(vars(results))
+        self._rmse = {}  # of the points as they are read here
         self._points = points
         self.used: dict[tuple[str, str, str], int] = {}
         self.catalogue = dict(results.catalogue)
