@@ -2,7 +2,7 @@
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +11,7 @@ import pandas as pd
 
 from repro import plugins
 from repro.layout import Catalogue, Layout
-from repro.logs import Log, read_log
+from repro.logs import Log, read_log, read_parameters
 from repro.origin import of_shard, origin
 from repro.parameters.paper_file import Ranking
 from repro.parameters.point_names import batch_of
@@ -46,6 +46,7 @@ class Results:
         self.layout, self.catalogue, self.shards = Layout(root), catalogue, range(shards)
         self.tolerance, self.own_filters = tolerance, own_filters
         self._studies = studies
+        self._read_log = lru_cache(maxsize=1)(read_log)  # one figure after the other asks for it
 
     def analysis(self, study: str) -> Any:
         """The thresholds of a study's metrics and claims, of the study's type `Analysis`."""
@@ -88,7 +89,8 @@ class Results:
 
     def parameters(self, study: str, point: str) -> Any:
         """The parameters of a point as its log has them, of the study's type `Parameters`."""
-        return self._shard_of_log(study, point, 0).parameters
+        expected = self._expected(study, point, 0)
+        return read_parameters(self.layout.log(study, point, 0), expected)
 
     def each_log(self, study: str, point: str, quantity: Callable[[Log], np.ndarray]) -> np.ndarray:
         """A quantity of all trials of a log, from one of a shard's, (trials, ...)."""
@@ -97,7 +99,7 @@ class Results:
 
     def _shard_of_log(self, study: str, point: str, shard: int) -> Log:
         expected = self._expected(study, point, shard)
-        return read_log(self.layout.log(study, point, shard), origin=expected)
+        return self._read_log(self.layout.log(study, point, shard), origin=expected)
 
     def each(
         self, study: str, point: str, filter_: str, quantity: Callable[[Runs], np.ndarray]
