@@ -135,11 +135,6 @@ def results_of(studies, requested=False):
     }
 
 
-def studies_of(paper):
-    """Studies of a paper; of all papers for the overview."""
-    return PAPERS[paper].studies if paper in PAPERS else STUDIES
-
-
 # Tables that come from no trials, by paper: filled by the papers' own rules.
 COMPUTED_TABLES = {paper: [] for paper in PAPERS}
 
