@@ -9,7 +9,7 @@ from mcap_ros2.decoder import DecoderFactory
 
 from repro import plugins
 from repro.errors import ReproError
-from repro.logs import LogError, read_log, selected, write_log
+from repro.logs import LogError, read_log, read_parameters, selected, write_log
 from repro.origin import origin
 from repro.runner import read_checked_log
 from tests.conftest import points, small_log
@@ -97,6 +97,27 @@ def test_no_changed_byte_goes_unnoticed(path, tmp_path):
         with pytest.raises(LogError, match=r"broken\.mcap") as error:
             read_log(broken)
         assert "\n" not in str(error.value)
+
+
+def test_no_changed_byte_gives_other_parameters(path, log, tmp_path):
+    """Where they are read alone; of the messages, which come later, nothing is read."""
+    data = path.read_bytes()
+    first = data.index(b"uint32 trial")  # of the first schema
+    (tmp_path / "head.mcap").write_bytes(data[:first])
+    assert read_parameters(tmp_path / "head.mcap") == read_parameters(path) == log.parameters
+    broken = tmp_path / "broken.mcap"
+    start = data.index(b"parameters.json")
+    for position in range(start, data.rindex(b"}", 0, first)):
+        changed = bytearray(data)
+        changed[position] ^= 1 << (position % 8)
+        broken.write_bytes(changed)
+        with pytest.raises(ReproError, match=r"broken\.mcap") as error:
+            read_parameters(broken)
+        assert "\n" not in str(error.value)
+    with pytest.raises(LogError, match=r"none\.mcap: the log cannot be read"):
+        read_parameters(tmp_path / "none.mcap")
+    with pytest.raises(ReproError, match="stale"):
+        read_parameters(path, origin("5", (0, 3)))
 
 
 def test_no_truncation_goes_unnoticed(path, tmp_path):

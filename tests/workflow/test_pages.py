@@ -47,7 +47,7 @@ def test_readmes_filter_in_table_figures_ranking_and_diff(trimmed):
     before = trimmed.bytes_of("figures/*/*.png", "figures/studies/*/*.png")
     add_filter(trimmed, "README.md", "mine")
     planned = jobs_of(trimmed.snakemake("-n", *targets, *FEW))
-    drawn_anew = {"figures_packet_delays_linear_delays": 1, "study_figures": 1}
+    drawn_anew = {"figures_linear_delays": 1, "study_figures": 1}
     assert planned == {"mine": 1, "table": 1} | drawn_anew
     trimmed.snakemake(*targets, *FEW)
     assert ",mine,rmse,x1," in (trimmed.folder / table).read_text()

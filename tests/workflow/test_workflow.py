@@ -44,7 +44,7 @@ def test_a_smoke_run_is_one_point_of_each_family(project):
     assert {n for n in left_out if not n.startswith("figures_") and "readings" not in n} == {
         *("claims", "diff", "emvf_realised")
     }
-    assert "figures_censored_network_deadband" not in left_out
+    assert "figures_deadband" not in left_out
     assert sum(planned.values()) < 0.8 * sum(everything.values())
     output = project.snakemake("smoke/results/parameters.csv", *profile)
     assert "Everything: snakemake -j2" in output

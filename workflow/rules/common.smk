@@ -145,11 +145,6 @@ def results_of(studies, requested=False):
     }
 
 
-def studies_of(paper):
-    """Studies of a paper; of all papers for the overview."""
-    return PAPERS[paper].studies if paper in PAPERS else STUDIES
-
-
 def paper_runs(paper):
     """The runs of all filters on all points of a paper."""
     return [file for study in PAPERS[paper].studies for file in REGISTRY.run_files(study)]

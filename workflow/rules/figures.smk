@@ -40,15 +40,26 @@ def is_drawn(name):
     return not whole and all(ran[s].keys() >= {*points[s]} for s in points)
 
 
+def studies_read(names):
+    """Studies that figures read; all of them if they read the verdicts or the leaderboard."""
+    read = {}
+    for needed in map(needs, names):
+        if needed.get("diff") or needed.get("leaderboard"):
+            return [*STUDIES]
+        read |= dict.fromkeys([*needed.get("tables", []), *needed.get("points", {})])
+    return sorted(read.keys() & STUDIES.keys())
+
+
 def sheet(name):
-    """Figures of a paper that read the same studies are drawn in one job, which is named so."""
-    needed, paper = needs(name), Path(name).parent.name
+    """Figures that read the same studies are drawn in one job, which is named so."""
+    needed = needs(name)
     if needed.get("on_request"):
         return "_".join(Path(name).parts)
-    if needed.get("diff") or needed.get("leaderboard"):
-        return f"{paper}_verdicts"
-    read = {*needed.get("tables", []), *needed.get("points", {})} & STUDIES.keys()
-    return "_".join([paper, *sorted(read)])
+    if needed.get("leaderboard"):
+        return "leaderboard"
+    if needed.get("diff"):
+        return "verdicts"
+    return "_".join(studies_read([name])) or "of_no_study"
 
 
 def sheets():

@@ -150,7 +150,7 @@ for drawn, names in SHEETS.items():
         conda:
             ENVIRONMENT
         params:
-            results=results_of(studies_of(Path(names[0]).parent.name)),
+            results=results_of(studies_read(names)),
             code=code("repro.plot.draw", *map(figure_script, names)),
         script:
             "../scripts/figures.py"
@@ -166,7 +166,7 @@ rule draw:
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: results_of(studies_of(Path(asked_for("figure")).parent.name)),
+        results=lambda wildcards: results_of(studies_read([asked_for("figure")])),
         pictures=lambda wildcards: [f"{FIGURES}/{asked_for('figure')}.png"],
     script:
         "../scripts/figures.py"

@@ -6,7 +6,15 @@ Logs recorded elsewhere are read by `repro.logs.user_log`, which the ordinary ru
 """
 
 from repro.logs.format import Log, LogError, selected
-from repro.logs.read import logged_origin, read_log
+from repro.logs.read import logged_origin, read_log, read_parameters
 from repro.logs.write import write_log
 
-__all__ = ["Log", "LogError", "logged_origin", "read_log", "selected", "write_log"]
+__all__ = [
+    "Log",
+    "LogError",
+    "logged_origin",
+    "read_log",
+    "read_parameters",
+    "selected",
+    "write_log",
+]

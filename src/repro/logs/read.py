@@ -1,13 +1,14 @@
 """Reading a log of this project into arrays, with every check against a wrong number."""
 
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import numpy as np
-from mcap.exceptions import McapError
 
 from repro import plugins
-from repro.logs.content import Content, json_object
+from repro.logs.content import Content, json_object, read_head
 from repro.logs.format import (
     CDR_LITTLE_ENDIAN,
     ENCODING,
@@ -37,24 +38,7 @@ def read_log(
     missing topic, another schema, missing or repeated steps, another study.
     """
     content = Content(path)
-    provenance = content.provenance
-    if provenance is None:
-        raise LogError(f"{path}: metadata '{PROVENANCE}' is missing: not a log of this project")
-    for key in ("study", "point"):
-        if key not in provenance:
-            raise LogError(f"{path}: metadata '{PROVENANCE}': its '{key}' is missing")
-    if study is not None and provenance["study"] != study:
-        raise LogError(
-            f"{path}: metadata '{PROVENANCE}': the log is of study "
-            f"'{provenance['study']}', expected is '{study}'"
-        )
-    if point is not None and provenance["point"] != point:
-        raise LogError(
-            f"{path}: metadata '{PROVENANCE}': the log is of point "
-            f"'{provenance['point']}', expected is '{point}'"
-        )
-    if origin is not None:
-        check_origin(str(path), provenance.get("origin", ""), origin)
+    provenance = _checked(path, content.provenance, study, point, origin)
     topics = fields if fields is not None else own_fields(content)
     scenario = plugins.study(provenance["study"])
     once, between = scenario.constant_topics, scenario.topics_between_steps
@@ -63,7 +47,7 @@ def read_log(
         study=provenance["study"],
         point=provenance["point"],
         seed=root_seed(content),
-        parameters=_parameters(content, provenance["study"]),
+        parameters=_parameters(path, provenance["study"], content.parameters),
         trials=trials,
         fields=dict(topics),
         values=values,
@@ -72,18 +56,44 @@ def read_log(
     return scenario.complete(log) if left_out else log
 
 
+def read_parameters(path: str | Path, origin: str | None = None) -> PointParameters:
+    """The parameters that a log was simulated with, of its study's type; reads no message.
+
+    Raises LogError, or ReproError if the log is not of the `origin`, where given.
+    """
+    head = read_head(path)
+    provenance = _checked(path, head.provenance, origin=origin)
+    return _parameters(path, provenance["study"], head.parameters)
+
+
 def logged_origin(path: str | Path) -> str:
     """Where a log says that it comes from; nothing if it does not say. Reads no message."""
-    from mcap.reader import make_reader  # a quarter of the start of a job, which needs it not
-
-    try:
-        with Path(path).open("rb") as stream:
-            for metadata in make_reader(stream).iter_metadata():
-                if metadata.name == PROVENANCE:
-                    return metadata.metadata.get("origin", "")
-    except (McapError, OSError):
-        pass
+    with suppress(LogError):
+        return read_head(path).provenance.get("origin", "")
     return ""
+
+
+def _checked(
+    path: str | Path,
+    provenance: Mapping[str, str] | None,
+    study: str | None = None,
+    point: str | None = None,
+    origin: str | None = None,
+) -> Mapping[str, str]:
+    """What a log says of its own, if it is of the expected study, point and origin."""
+    if not provenance:
+        raise LogError(f"{path}: metadata '{PROVENANCE}' is missing: not a log of this project")
+    for key, expected in (("study", study), ("point", point)):
+        if key not in provenance:
+            raise LogError(f"{path}: metadata '{PROVENANCE}': its '{key}' is missing")
+        if expected is not None and provenance[key] != expected:
+            raise LogError(
+                f"{path}: metadata '{PROVENANCE}': the log is of {key} "
+                f"'{provenance[key]}', expected is '{expected}'"
+            )
+    if origin is not None:
+        check_origin(str(path), provenance.get("origin", ""), origin)
+    return provenance
 
 
 def root_seed(content: Content) -> int:
@@ -94,11 +104,9 @@ def root_seed(content: Content) -> int:
     return int(text)
 
 
-def _parameters(content: Content, study: str) -> PointParameters:
-    """The parameters that the log was simulated with, as its study types them."""
-    return plugins.study(study).Parameters.checked(
-        content.parameters, f"{content.path}: {PARAMETERS}"
-    )
+def _parameters(path: str | Path, study: str, plain: dict[str, Any]) -> PointParameters:
+    """The parameters that a log was simulated with, as its study types them."""
+    return plugins.study(study).Parameters.checked(plain, f"{path}: {PARAMETERS}")
 
 
 def own_fields(content: Content) -> dict[str, tuple[str, ...]]:

@@ -11,6 +11,7 @@ matplotlib.use("Agg")
 
 from matplotlib import pyplot, ticker
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from repro import plugins
@@ -121,6 +122,7 @@ def _scale(axes: Axes, low: float, high: float, which: str) -> None:
 
 def save(drawn: Figure, path: str | Path) -> None:
     """Write a PNG whose bytes depend on the drawing alone."""
+    # Not savefig, which draws a figure with a layout engine twice.
     with atomic_write(path) as part:
-        drawn.savefig(part, metadata={"Software": None})
+        FigureCanvasAgg(drawn).print_png(part, metadata={"Software": None})
     pyplot.close(drawn)

@@ -2,7 +2,7 @@
 
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +11,7 @@ import pandas as pd
 
 from repro import plugins
 from repro.layout import Catalogue, Layout
-from repro.logs import Log, read_log
+from repro.logs import Log, read_log, read_parameters
 from repro.origin import of_shard, origin
 from repro.parameters.paper_file import Ranking
 from repro.parameters.point_names import batch_of
@@ -50,6 +50,7 @@ class Results:
         self.tolerance, self.own_filters = tolerance, own_filters
         self._studies = studies
         self._rmse: dict[tuple, Jackknife] = {}
+        self._read_log = lru_cache(maxsize=1)(read_log)  # one figure after the other asks for it
 
     def analysis(self, study: str) -> Any:
         """The thresholds of a study's metrics and claims, of the study's type `Analysis`."""
@@ -92,7 +93,8 @@ class Results:
 
     def parameters(self, study: str, point: str) -> Any:
         """The parameters of a point as its log has them, of the study's type `Parameters`."""
-        return self._shard_of_log(study, point, 0).parameters
+        expected = self._expected(study, point, 0)
+        return read_parameters(self._log_file(study, point, 0), expected)
 
     def each_log(self, study: str, point: str, quantity: Callable[[Log], np.ndarray]) -> np.ndarray:
         """A quantity of all trials of a log, from one of a shard's, (trials, ...)."""
@@ -101,9 +103,13 @@ class Results:
 
     def _shard_of_log(self, study: str, point: str, shard: int) -> Log:
         expected = self._expected(study, point, shard)
-        log_of = self._origins[study][point]["log_of"] if self._origins else point
-        log = read_log(self.layout.log(study, log_of, shard), origin=expected)
+        log = self._read_log(self._log_file(study, point, shard), origin=expected)
         return log._replace(point=point)
+
+    def _log_file(self, study: str, point: str, shard: int) -> str:
+        """The log of a point, which may be that of another with the same values."""
+        log_of = self._origins[study][point]["log_of"] if self._origins else point
+        return self.layout.log(study, log_of, shard)
 
     def each(
         self, study: str, point: str, filter_: str, quantity: Callable[[Runs], np.ndarray]

@@ -1,6 +1,7 @@
 """The results of a study as they are where the paper is read in another way."""
 
 from collections.abc import Mapping
+from typing import Any
 
 import pandas as pd
 
@@ -54,6 +55,10 @@ class UnderReading(Results):
         names = {as_read: point for point, as_read in self._points[study].items()}
         of_reading = table.loc[table["point"].isin(list(names))]
         return of_reading.assign(point=[names[point] for point in of_reading["point"]])
+
+    def parameters(self, study: str, point: str) -> Any:
+        """The parameters of a point, as it is read."""
+        return super().parameters(study, self._as_read(study, point))
 
     def _shard_of_log(self, study: str, point: str, shard: int) -> Log:
         log = super()._shard_of_log(study, self._as_read(study, point), shard)
