@@ -66,7 +66,7 @@ def read_runs(path: str | Path, point: str, origin: str | None = None) -> Runs:
         check_runs(path, point, origin)
     archive = _archive(path)
     names = [name for name in archive.names if name.startswith(f"{point}/")]
-    of_point = {name.removeprefix(f"{point}/"): _double(archive.read(name)) for name in names}
+    of_point = {name.removeprefix(f"{point}/"): _whole(archive.read(name)) for name in names}
     n, *components = of_point["components"]
     kept = of_point["error"]
     if len(components) == n:
@@ -121,12 +121,16 @@ def _opened(path: str, *_: int) -> Archive:
 
 
 def _compact(values: np.ndarray) -> np.ndarray:
-    """As it is stored: numbers of every step in half of the bytes, unless a filter diverges."""
-    smaller = {"f": np.float32, "i": np.int32}.get(values.dtype.kind)
-    if values.ndim < 2 or smaller is None or np.fmax.reduce(np.abs(values), axis=None) > LARGEST:
+    """As it is stored: numbers of every step in few bytes; in all of them if a filter diverges."""
+    if values.ndim < 2 or values.dtype.kind not in "fi" or values.size == 0:
         return np.ascontiguousarray(values)
-    return values.astype(smaller)
+    largest = np.fmax.reduce(np.abs(values), axis=None)
+    if values.dtype.kind == "i":
+        return values.astype(np.min_scalar_type(-1 - int(largest)))
+    return np.ascontiguousarray(values) if largest > LARGEST else values.astype(np.float32)
 
 
-def _double(values: np.ndarray) -> np.ndarray:
-    return values.astype(float) if values.dtype == np.float32 else values
+def _whole(values: np.ndarray) -> np.ndarray:
+    """As it was before it was stored, but for the rounding."""
+    wide = {"f": float, "i": int}.get(values.dtype.kind)
+    return values if wide is None else values.astype(wide, copy=False)

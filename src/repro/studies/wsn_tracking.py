@@ -162,6 +162,7 @@ class WsnTracking(Study):
     trajectory = (("px", "py"),)
     error_unit = "m"
     kept_components = POSITION
+    keeps_claimed_variance = False  # no table shows them
     constant_topics = ("/field",)
     log_remark = (
         "a filter's own prediction chooses the sensor, so the log must have the range to every "
