@@ -26,7 +26,7 @@ from repro.parameters.load import (
     load_run,
     user_values,
 )
-from repro.parameters.point_names import on_request
+from repro.parameters.point_names import is_reading
 from repro.parameters.readings import readings_of
 from repro.workflow.code import code_digest, code_files, constants, source_digest
 from repro.workflow.lock import hold, runs_jobs, sweep
