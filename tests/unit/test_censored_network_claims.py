@@ -147,7 +147,7 @@ def test_zeros_that_pull_an_estimate_to_the_sensor():
     np.testing.assert_allclose((estimated - true)[..., 0], -0.5)
     numbers = facts.zeros_at_face_value(results)
     assert numbers["zero_stands_for"] == pytest.approx(np.sqrt(10))
-    assert numbers["zeros_move_mapf"] == 0.0 and numbers["zeros_move_mapf_nmc"] < 0.0
+    assert numbers["zeros_pull_mapf"] == 0.0 and numbers["zeros_pull_mapf_nmc"] > 0.0
     # Without noise a zero comes from between 1 m and 10 m, and from farther than 3.2 m mostly.
     assert 70 < numbers["zeros_from_farther"] < 100 and 1 < numbers["zeros_share"] < 40
 

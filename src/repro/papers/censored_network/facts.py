@@ -61,9 +61,9 @@ def zeros_at_face_value(results: Results) -> Mapping[str, float]:
     numbers = {"zero_stands_for": float(stands_for)}
     for filter_ in ("mapf", "mapf_nmc"):
         true, estimated, is_zero = distances(results, "deadband", filter_)
-        moved = (estimated - true)[is_zero].mean()
+        nearer = (true - estimated)[is_zero].mean()
         numbers |= {
-            f"zeros_move_{filter_}": float(moved),
+            f"zeros_pull_{filter_}": float(nearer),
             "zeros_share": float(IN_PERCENT * is_zero.mean()),
             "zeros_from_farther": float(IN_PERCENT * (true[is_zero] > stands_for).mean()),
         }
