@@ -1,4 +1,4 @@
-"""Which published order survives which unstated assumption. On request: its runs take minutes."""
+"""Which published order survives which unstated assumption; on request, as it takes a minute."""
 
 from matplotlib.figure import Figure
 

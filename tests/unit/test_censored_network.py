@@ -10,7 +10,6 @@ from repro.kernels import censored_likelihood, coupled_targets_step
 from repro.models.coupled_targets import SignalStrength, drift
 from repro.network.censoring import ABOVE, BELOW, EXACT, INSIDE, Censoring, censored
 from repro.network.random_access import transmitted, transmitting_group
-from repro.papers.censored_network import claims
 from repro.parameters.load import load_paper
 from repro.parameters.settings import ProtocolParticles
 from repro.parameters.values import ParameterError
@@ -171,20 +170,3 @@ def test_every_group_needs_a_probability():
     values = points()["deadband"]["base"].parameters.plain() | {"group_probabilities": [1.0]}
     with pytest.raises(ParameterError, match="must be of one length; they have 1 and 2 entries"):
         STUDY.Parameters.checked(values, "test")
-
-
-@pytest.mark.parametrize(
-    ("filter_", "dead_band", "saturation"),
-    [("mapf_nc", 1.152, 1.242), ("mapf_nmc", 1.608, 5.841), ("mpf", 1.018, 1.053)],
-)
-def test_ratios_of_the_published_averages(filter_, dead_band, saturation):
-    assert claims.published_ratio("deadband", filter_) == (dead_band, 300)
-    assert claims.published_ratio("saturation", filter_) == (saturation, 300)
-
-
-def test_claims_on_the_limits_of_the_likelihood():
-    results = SimpleNamespace(
-        log=lambda study, point: small_log(study, point), analysis=lambda study: analysis()
-    )
-    for part in (*claims.no_censoring_limit(results), *claims.no_coupling_limit(results)):
-        assert part.verdict(3.0) == "holds", part

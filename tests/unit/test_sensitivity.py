@@ -8,7 +8,6 @@ import pytest
 
 from repro.layout import Layout
 from repro.papers.censored_network import sensitivity
-from repro.papers.censored_network.time_averages import mean_of_roots
 from repro.parameters.load import load_paper
 from repro.parameters.point_names import batch_of
 from repro.statistics import metrics
@@ -18,19 +17,20 @@ from repro.tables.results import Results
 from tests.conftest import ROOT
 
 SCALE = {"mapf": 1.0, "mpf": 1.0, "mapf_nc": 2.0, "mapf_nmc": 1.5, "dead_reckoning": 3.0}
+TRIALS = {"base": 60, "reading-speed=2": 40, "sensitivity-particles=9": 40}
 
 
 @pytest.fixture
 def results(tmp_path):
     rng = np.random.default_rng(0)
-    for point in ("base", "sensitivity-speed=2"):
+    for point, trials in TRIALS.items():
         for filter_, scale in SCALE.items():
             file = Path(Layout(tmp_path).run("deadband", batch_of(point), filter_, 0))
             file.parent.mkdir(parents=True)
-            error = scale * rng.standard_normal((40, 61, 9))
+            error = scale * rng.standard_normal((trials, 61, 9))
             with file.open("wb") as stream, RunsWriter(stream) as writer:
-                writer.add(point, Runs(error, None, np.zeros(40), recorded={}))
-    catalogue = {"deadband": {"base": [*SCALE], "sensitivity-speed=2": [*SCALE]}}
+                writer.add(point, Runs(error, None, np.zeros(trials), recorded={}))
+    catalogue = {"deadband": {point: [*SCALE] for point in TRIALS}}
     paper = load_paper(ROOT / "params/censored_network.yaml")
     studies = {"deadband": paper.described("deadband")}
     return Results(tmp_path, catalogue, 1, studies, [], tolerance=3.0)
@@ -39,7 +39,7 @@ def results(tmp_path):
 def test_orders_are_decided_on_paired_runs(results, tmp_path):
     sensitivity.tabulate(results, "deadband", tmp_path / "table.csv")
     table = pd.read_csv(tmp_path / "table.csv")
-    assert {"base", "speed=2", "horizon=50", "average_from=0"} <= set(table["reading"])
+    assert {"base", "speed=2", "particles=9", "from k = 0"} <= set(table["reading"])
     orders = table[(table["metric"] == "order") & (table["reading"] == "speed=2")]
     verdicts = dict(zip(orders["filter"], orders["verdict"], strict=True))
     assert verdicts == {
@@ -48,8 +48,16 @@ def test_orders_are_decided_on_paired_runs(results, tmp_path):
         "mapf < mpf": "undecided",
         "mapf < dead_reckoning": "holds",
     }
-    levels = table[table["metric"] == "rmse"].set_index(["reading", "filter"])["value"]
-    assert levels["speed=2", "mapf_nc"] == pytest.approx(2 * np.sqrt(2), rel=0.02)
+    levels = table[table["metric"] == "rmse"].set_index(["reading", "filter"])
+    assert levels.loc[("speed=2", "mapf_nc"), "value"] == pytest.approx(2 * np.sqrt(2), rel=0.02)
+    of_base = levels.xs("mapf", level="filter")["trials"]
+    assert (of_base["base"], of_base["base, as few runs"]) == (60, 40)
+
+
+def mean_of_roots(squared):
+    """Of the targets, and their mean: (..., steps, targets) to (..., targets + 1)."""
+    of_targets = np.sqrt(squared).mean(axis=-2)
+    return np.concatenate([of_targets, of_targets.mean(axis=-1, keepdims=True)], axis=-1)
 
 
 def test_the_tables_statistic_is_that_of_claims_and_covers_the_spread():

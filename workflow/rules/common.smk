@@ -27,7 +27,7 @@ from repro.parameters.load import (
     user_values,
     whose_logs,
 )
-from repro.parameters.point_names import on_request
+from repro.parameters.point_names import is_reading
 from repro.parameters.readings import readings_of
 from repro.workflow.code import code_digest, code_files, constants, source_digest
 from repro.workflow.lock import hold, runs_jobs, sweep
@@ -153,6 +153,16 @@ def paper_runs(paper):
 def paper_logs(paper):
     """The logs of all points of a paper."""
     return [file for study in PAPERS[paper].studies for file in REGISTRY.log_files(study)]
+
+
+VERDICTS_FROM = {"claims", "facts", "tables"}
+
+
+def judged_by(paper):
+    """Modules of a paper that its verdicts come from; it may have no facts and no tables."""
+    own = SOURCE / "repro/papers" / paper
+    names = {path.stem for path in own.glob("*") if path.suffix == ".py" or path.is_dir()}
+    return [f"repro.papers.{paper}.{name}" for name in sorted(names & VERDICTS_FROM)]
 
 
 def plain_points(study):

@@ -84,17 +84,17 @@ use rule run_filter as emvf_realised with:
 
 use rule run_filter as mapf with:
     output:
-        runs("mapf", studies=["deadband", "saturation"]),
+        runs("mapf", studies=["deadband", "saturation"], skip="particles=20000"),
 
 
 use rule run_filter as mapf_nc with:
     output:
-        runs("mapf_nc", studies=["deadband", "saturation"]),
+        runs("mapf_nc", studies=["deadband", "saturation"], skip="particles=*"),
 
 
 use rule run_filter as mapf_nmc with:
     output:
-        runs("mapf_nmc", studies=["deadband", "saturation"]),
+        runs("mapf_nmc", studies=["deadband", "saturation"], skip="particles=*"),
 
 
 use rule run_filter as mpf with:
@@ -104,7 +104,7 @@ use rule run_filter as mpf with:
 
 use rule run_filter as dead_reckoning with:
     output:
-        runs("dead_reckoning", studies=["deadband", "saturation"]),
+        runs("dead_reckoning", studies=["deadband", "saturation"], skip="particles=*"),
 
 
 use rule run_filter as pf_ross_eh with:

@@ -1,18 +1,24 @@
 """Time-averaged position RMSE, as in Tables I and II of censored_network.
 
-Shared by the claims, the drawings and the sensitivity table.
+Shared by the claims, the facts, the drawings and the sensitivity table.
 """
 
+from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from repro.statistics import metrics
+from repro.statistics.metrics import Jackknife
+from repro.statistics.shards import Columns
 from repro.studies.families.censored_network import TARGETS, squared_distance
 from repro.tables.results import Results
 
 CENSORING = {"deadband": "dead band", "saturation": "saturation"}  # study -> in words
 POINT = "base"  # the parameters of the tables and figures
+PUBLISHED = "params/published/censored_network.csv"
+FROM_1 = slice(1, None)  # k = 1 ... K
 
 
 class TimeAverage(NamedTuple):
@@ -26,11 +32,32 @@ class TimeAverage(NamedTuple):
         return metrics.jackknife_error(self.left_out)
 
 
-def time_average(results: Results, study: str, filter_: str) -> TimeAverage:
+def root_over_steps(squared: Columns) -> Jackknife:
+    """Root of the mean over the steps, the other reading of a time-averaged RMSE."""
+    return metrics.root(squared.mean_over_steps())
+
+
+def first_trials(
+    trials: int, average: Callable[[Columns], Jackknife] = metrics.roots_over_steps
+) -> Callable[[Columns], Jackknife]:
+    """The average of the first of the trials, to be paired with a point that has no more."""
+    return lambda squared: average(squared.only(np.arange(squared.trials) < trials))
+
+
+def time_average(
+    results: Results,
+    study: str,
+    filter_: str,
+    point: str = POINT,
+    steps: slice = FROM_1,
+    average: Callable[[Columns], Jackknife] = metrics.roots_over_steps,
+) -> TimeAverage:
     """Mean over k = 1 ... K of RMSE_k [censored_network (26)], from the runs of all shards."""
     of_targets = [
-        metrics.roots_over_steps(
-            results.each(study, POINT, filter_, lambda runs, i=i: squared_distance(runs)[:, 1:, i])
+        average(
+            results.each(
+                study, point, filter_, lambda runs, i=i: squared_distance(runs)[:, steps, i]
+            )
         )
         for i in range(len(TARGETS))
     ]
@@ -41,16 +68,10 @@ def time_average(results: Results, study: str, filter_: str) -> TimeAverage:
     )
 
 
-def with_average(of_targets: np.ndarray) -> np.ndarray:
-    """The targets and their mean, (..., targets) to (..., targets + 1)."""
-    return np.concatenate([of_targets, of_targets.mean(axis=-1, keepdims=True)], axis=-1)
+Average = Callable[..., TimeAverage]  # of (results, study, filter)
 
 
-def mean_of_roots(squared: np.ndarray) -> np.ndarray:
-    """Mean over the steps of the roots, (..., steps, targets) to (..., targets + 1)."""
-    return with_average(np.sqrt(squared).mean(axis=-2))
-
-
-def root_of_mean(squared: np.ndarray) -> np.ndarray:
-    """Root of the mean over the steps, the other reading of a time-averaged RMSE."""
-    return with_average(np.sqrt(squared.mean(axis=-2)))
+OTHER_AVERAGES: dict[str, Average] = {  # what else a time average could be
+    "from k = 0": partial(time_average, steps=slice(None)),
+    "root of the mean over k": partial(time_average, average=root_over_steps),
+}

@@ -107,6 +107,10 @@ class Analysis(Values):
         ge=1, description="steps over which the RMSE is averaged besides all"
     )
     far_costlier: Positive = Field(description="1, factor by which one cost must exceed another")
+    close_ratio: float = Field(gt=1, description="1, ratio up to which two RMSE are close")
+    rate_margin: Positive = Field(
+        description="1, distance from its exponent up to which a rate of convergence is the stated"
+    )
     identity_trials: int = Field(ge=1, description="trials on which an identity is tested")
     identity_steps: int = Field(ge=1, description="steps over which it is tested")
     identity_particles: int = Field(ge=2, description="particles per node with which it is tested")
