@@ -29,14 +29,13 @@ def over_seeds(diffs: Mapping[str, pd.DataFrame]) -> pd.DataFrame:
     """
     together = pd.concat([diff.assign(seed=seed) for seed, diff in diffs.items()])
     rows = []
-    for key, of_item in together.groupby(NAMED, sort=False):
-        counts = of_item["verdict"].value_counts()
+    for _, of_item in together.groupby(["paper", "item"], sort=False):
+        verdicts, margins = list(of_item["verdict"]), of_item["margin"]
         failed = of_item.loc[~of_item["as_expected"], "seed"]
         rows.append(
-            dict(zip(NAMED, key, strict=True))
-            | {verdict: int(counts.get(verdict, 0)) for verdict in ALL}
-            | {"smallest_margin": of_item["margin"].min()}
-            | {"largest_margin": of_item["margin"].max()}
+            of_item.iloc[0][NAMED].to_dict()
+            | {verdict: verdicts.count(verdict) for verdict in ALL}
+            | {"smallest_margin": margins.min(), "largest_margin": margins.max()}
             | {"not_as_expected": " ".join(failed)}
         )
     return pd.DataFrame(rows)

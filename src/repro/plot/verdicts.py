@@ -100,7 +100,7 @@ def _draw_claims(axes: Axes, claims: pd.DataFrame, parts: pd.DataFrame, toleranc
         counts = of_claim.loc[~finite, "verdict"].value_counts()
         text = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
         axes.annotate(
-            f"bounds: {text}" if text else "",
+            f"no error: {text}" if text else "",
             (LARGEST + 0.9, place),
             va="center",
             fontsize=6.5,
@@ -110,7 +110,7 @@ def _draw_claims(axes: Axes, claims: pd.DataFrame, parts: pd.DataFrame, toleranc
         axes,
         lines,
         "Claims, every comparison",
-        "in favour, in standard errors (grey: undecided; right: numbers against bounds)",
+        "in favour, in standard errors (grey: undecided; right: comparisons without an error)",
     )
 
 
