@@ -152,10 +152,11 @@ def test_under_a_reading_only_what_is_read_so_is_there(results):
         ("holds", ["undecided", "fails"], "reversed under b"),
         ("undecided", ["undecided", "fails"], "conditional on b"),
         ("match", ["match", "differs"], "reversed under b"),
+        ("match", ["differs"] * 6, "reversed under a, b, c, d and 2 more"),
         ("match", ["not run"], ""),
         ("match", [], ""),
     ],
 )
 def test_standing(verdict, under, stands):
-    readings = pd.DataFrame({"reading": [f"reading-{n}" for n in "abc"[: len(under)]]})
+    readings = pd.DataFrame({"reading": [f"reading-{n}" for n in "abcdef"[: len(under)]]})
     assert standing(verdict, readings.assign(verdict=under)) == stands

@@ -29,8 +29,14 @@ def robustness(results: Results, paper: str) -> Figure:
     under = under.loc[(under["paper"] == paper) & (under["verdict"] != NOT_RUN)]
     rank = {name: place for place, name in enumerate(reversed(STANDINGS))}
     judged = diff.loc[diff["standing"] != ""]
-    judged = judged.assign(rank=[rank[text.partition(" ")[0]] for text in judged["standing"]])
-    rows = judged.sort_values(["rank", "kind"], kind="stable").to_dict("records")
+    judged = judged.assign(
+        rank=[rank[text.partition(" ")[0]] for text in judged["standing"]],
+        same=[
+            (under.loc[under["item"] == item, "verdict"] == verdict).mean()
+            for item, verdict in zip(judged["item"], judged["verdict"], strict=True)
+        ],
+    )
+    rows = judged.sort_values(["rank", "same"], kind="stable").to_dict("records")
     readings = list(dict.fromkeys(under["reading"]))
     if not rows:
         drawn, axes = style.figure(size=(WIDTH, 1))
