@@ -194,6 +194,11 @@ def asked_for(key):
     return value
 
 
+def asked_seeds():
+    """The root seeds that --config names."""
+    return str(asked_for("seeds")).split()
+
+
 def user_log_point():
     """The resolved point that a log recorded elsewhere is of."""
     study, point = asked_for("study"), asked_for("point")

@@ -1,10 +1,5 @@
 # On request: everything again with other root seeds, and how often each verdict comes out.
 # snakemake seeds --config seeds="1 2 3 4 5" (and trials=50 to be quick)
-def asked_seeds():
-    """The root seeds that --config names."""
-    return str(asked_for("seeds")).split()
-
-
 rule seed:
     output:
         LAYOUT.of_seed(),
