@@ -37,6 +37,7 @@ def judge(
     errors the least favourable comparison is above no difference, or a value above the printed one.
     """
     claims: list[Claim] = import_module(f"repro.papers.{paper}.claims").CLAIMS
+    asked = _studies_of(results, claims)
     values = read_published(published)
     values = values.loc[values["kind"] == "value"]
     rows = []
@@ -48,9 +49,21 @@ def judge(
         view = UnderReading(results, {study: of["points"] for study, of in of_studies.items()})
         changed = ", ".join(f"{name} = {value}" for name, value in changes.items())
         where = {"paper": paper, "reading": reading, "changes": changed}
-        found = [*_values(view, of_studies, values), *_claims(view, claims, changes)]
+        concerned = [one for one in claims if asked[one.item] & of_studies.keys()]
+        found = [*_values(view, of_studies, values), *_claims(view, concerned, changes)]
         rows += [where | row for row in found]
     write_csv(pd.DataFrame(rows, columns=COLUMNS), path)
+
+
+def _studies_of(results: Results, claims: Iterable[Claim]) -> dict[str, set[str]]:
+    """The studies whose runs each claim asks for on the ordinary points."""
+    as_they_are = {study: {p: p for p in points} for study, points in results.catalogue.items()}
+    view, asked = UnderReading(results, as_they_are), {}
+    for item, _, test in claims:
+        view.used.clear()
+        list(test(view))
+        asked[item] = {study for study, _, _ in view.used}
+    return asked
 
 
 def _values(

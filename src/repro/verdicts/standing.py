@@ -4,6 +4,7 @@ import pandas as pd
 
 OPPOSITE = {"match": "differs", "differs": "match", "holds": "fails", "fails": "holds"}
 STANDINGS = ("robust", "conditional", "reversed")  # how `standing` begins
+MOST = 4  # names of readings; results/robustness.csv has all
 NOT_RUN = "not run"  # the reading has no point that the claim needs
 
 
@@ -22,4 +23,6 @@ def standing(verdict: str, readings: pd.DataFrame) -> str:
 
 
 def _named(readings: pd.DataFrame) -> str:
-    return ", ".join(dict.fromkeys(name.removeprefix("reading-") for name in readings["reading"]))
+    names = list(dict.fromkeys(name.removeprefix("reading-") for name in readings["reading"]))
+    more = f" and {len(names) - MOST} more" * (len(names) > MOST)
+    return ", ".join(names[:MOST]) + more
