@@ -154,6 +154,8 @@ def test_under_a_reading_only_what_is_read_so_is_there(results):
     [
         ("holds", ["holds", "holds", "not run"], "robust (2 readings)"),
         ("holds", ["holds", "undecided"], "conditional on b"),
+        ("holds", ["holds", "few"], "robust (1 reading; too few trials in 1 more)"),
+        ("holds", ["few"], "open (too few trials in 1 reading)"),
         ("holds", ["undecided", "fails"], "reversed under b"),
         ("undecided", ["undecided", "fails"], "conditional on b"),
         ("match", ["match", "differs"], "reversed under b"),
@@ -163,5 +165,8 @@ def test_under_a_reading_only_what_is_read_so_is_there(results):
     ],
 )
 def test_standing(verdict, under, stands):
-    readings = pd.DataFrame({"reading": [f"reading-{n}" for n in "abcdef"[: len(under)]]})
-    assert standing(verdict, readings.assign(verdict=under)) == stands
+    names = [f"reading-{n}" for n in "abcdef"[: len(under)]]
+    readings = pd.DataFrame({"reading": names, "verdict": under, "margin": 1.0})
+    few = readings["verdict"] == "few"  # undecided, but on the side of the claim
+    readings.loc[few, ["verdict", "margin"]] = ["undecided", -1.0]
+    assert standing(verdict, readings) == stands

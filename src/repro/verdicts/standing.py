@@ -3,23 +3,37 @@
 import pandas as pd
 
 OPPOSITE = {"match": "differs", "differs": "match", "holds": "fails", "fails": "holds"}
-STANDINGS = ("robust", "conditional", "reversed")  # how `standing` begins
+STANDINGS = ("robust", "open", "conditional", "reversed")  # how `standing` begins
 MOST = 4  # names of readings; results/robustness.csv has all
 NOT_RUN = "not run"  # the reading has no point that the claim needs
 
 
 def standing(verdict: str, readings: pd.DataFrame) -> str:
-    """What a verdict rests on, from its rows of the readings: see `robustness.COLUMNS`."""
+    """What a verdict rests on, from its rows of the readings: see `robustness.COLUMNS`.
+
+    A reading that leaves a decided claim undecided changes it only if its least favourable
+    comparison is on the other side of zero: else it has too few trials to say anything.
+    """
     judged = readings.loc[readings["verdict"] != NOT_RUN]
     if judged.empty:
         return ""
+    side = {"holds": -1.0, "fails": 1.0}.get(verdict, 0.0)
+    few = (judged["verdict"] == "undecided") & (side * judged["margin"] > 0)
     reversed_ = judged.loc[judged["verdict"] == OPPOSITE.get(verdict, "")]
-    other = judged.loc[judged["verdict"] != verdict]
+    other = judged.loc[(judged["verdict"] != verdict) & ~few]
     if not reversed_.empty:
         return f"reversed under {_named(reversed_)}"
     if not other.empty:
         return f"conditional on {_named(other)}"
-    return f"robust ({len(judged)} {'reading' if len(judged) == 1 else 'readings'})"
+    decided = len(judged) - int(few.sum())
+    if decided == 0:
+        return f"open (too few trials in {_number(len(judged))})"
+    too_few = f"; too few trials in {len(judged) - decided} more" * bool(few.any())
+    return f"robust ({_number(decided)}{too_few})"
+
+
+def _number(readings: int) -> str:
+    return f"{readings} reading{'s' * (readings > 1)}"
 
 
 def _named(readings: pd.DataFrame) -> str:
