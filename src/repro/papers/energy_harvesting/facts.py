@@ -9,7 +9,7 @@ from repro.papers.energy_harvesting.claims.comparisons import (
     squared,
 )
 from repro.papers.energy_harvesting.claims.transmissions import probability, share_sent
-from repro.papers.energy_harvesting.compared import PROPOSED, SWEPT_STUDY
+from repro.papers.energy_harvesting.compared import PROPOSED, RIVALS, SWEPT_STUDY, study_of
 from repro.statistics import metrics
 from repro.tables.results import Results
 from repro.verdicts.facts import Fact
@@ -38,17 +38,18 @@ def worst_filter(results: Results) -> dict[str, float]:
     for name in ("pf_ross", "spf"):
         at = FilterAt("base", name)
         found[f"lost_{name}"] = float(lost(results, "rss_2d", at).mean())
-        found[f"rmse_{name}"] = rmse(results, at)
+        found[f"rmse_{name}"] = rmse(results, "rss_2d", at)
     return found
 
 
 def small_square(results: Results) -> dict[str, float]:
     """PF-ROSS-EH and PF-EH on the square of side 40 m, with few particles and with many."""
-    found = {}
+    settings = MORE_PARTICLES.partition("@")[0]
+    found = {"more_particles": float(settings.rpartition("=")[2])}
     for where, point in (("small_square", SMALL_SQUARE), ("more_particles", MORE_PARTICLES)):
         for name in (PROPOSED, "pf_eh"):
             at = FilterAt(point, name)
-            found[f"{where}_rmse_{name}"] = rmse(results, at)
+            found[f"{where}_rmse_{name}"] = rmse(results, "rss_2d", at)
             found[f"{where}_lost_{name}"] = float(lost(results, "rss_2d", at).mean())
     return found
 
@@ -74,9 +75,22 @@ def lost_runs_in_sweeps(results: Results) -> dict[str, float]:
     return found
 
 
-def rmse(results: Results, at: FilterAt) -> float:
-    """Mean over k of the position RMSE(k) in the plane, over all runs, m."""
-    return metrics.roots_over_steps(squared(results, "rss_2d", at, "position")).value
+def next_best(results: Results) -> dict[str, float]:
+    """How many times larger the RMSE of the best rival is, over all runs."""
+    found = {"much_better": results.analysis("rss_2d").much_better}
+    for study in ("rss_2d", "rss_3d"):
+        for component in study_of(study).components:
+            proposed, *rivals = (
+                rmse(results, study, FilterAt("base", name), component)
+                for name in (PROPOSED, *RIVALS)
+            )
+            found[f"ratio_{component}_{study[-2:]}"] = min(rivals) / proposed
+    return found
 
 
-FACTS: list[Fact] = [lemma_1, worst_filter, small_square, lost_runs_in_sweeps]
+def rmse(results: Results, study: str, at: FilterAt, component: str = "position") -> float:
+    """Mean over k of RMSE(k), over all runs."""
+    return metrics.roots_over_steps(squared(results, study, at, component)).value
+
+
+FACTS: list[Fact] = [lemma_1, worst_filter, small_square, lost_runs_in_sweeps, next_best]
