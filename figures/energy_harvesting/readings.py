@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from repro.papers.energy_harvesting.compared import EXTENSIONS, PAPERS_FILTERS
+from repro.parameters.point_names import reading_of
 from repro.plot import style
 from repro.plot.sweep import BAND, running
 from repro.tables.results import Results
@@ -24,7 +25,7 @@ def draw(results: Results) -> Figure:
     ):
         table = results.table(study)
         table = table.loc[(table["metric"] == "rmse") & (table["component"] == component)]
-        points = [p for p in results.catalogue[study] if p == "base" or p.startswith("reading-")]
+        points = [p for p in results.catalogue[study] if p == "base" or reading_of(p)[1] == "base"]
         named = (*PAPERS_FILTERS, *EXTENSIONS)
         drawn_on = running(results, study, dict(enumerate(points)), named)
         for i, (filter_, on) in enumerate(drawn_on.items()):
@@ -44,7 +45,7 @@ def draw(results: Results) -> Figure:
             axes.plot(rows["median"], at, "x", ms=4, color=look["color"], alpha=0.6)
         axes.set(
             yticks=np.arange(len(points)),
-            yticklabels=[point.removeprefix("reading-") for point in points],
+            yticklabels=[reading_of(point)[0].removeprefix("reading-") for point in points],
             xscale="log" if study == "rss_2d" else "linear",
             xlabel=f"{component} RMSE{unit}, {study}",
         )

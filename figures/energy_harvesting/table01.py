@@ -14,6 +14,7 @@ TOPICS = (
     (r"$v_x^t, v_y^t$", "true velocity, m/s", "/truth: v_x, v_y"),
     (r"$s^{t,j}, v^{t,j}$", "the same in run j", "trial j of /truth"),
     (r"$\hat{s}^{t,j}, \hat{v}^{t,j}$", "their estimates in run j", "/truth + error of a run"),
+    ("$M$", "number of particles", "setting particles of a filter"),
 )
 
 

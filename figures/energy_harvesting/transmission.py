@@ -7,7 +7,7 @@ from repro.plot import style
 from repro.tables.results import Results
 
 NEEDS = {
-    "points": {"rss_2d": ["base", "harvest=pi_2"], "ungm": ["reading-harvest=identity"]},
+    "points": {"rss_2d": ["base", "harvest=pi_2"], "ungm": ["harvest=identity"]},
 }
 CAPTION = (
     "Transmission probability over k by Lemma 1, by the exact chain of (E, H), and as simulated, "
@@ -24,7 +24,7 @@ def draw(results: Results) -> Figure:
         (
             ("rss_2d", "base", r"$\Pi_1$"),
             ("rss_2d", "harvest=pi_2", r"$\Pi_2$"),
-            ("ungm", "reading-harvest=identity", r"$\Pi = I$ (Remark 3)"),
+            ("ungm", "harvest=identity", r"$\Pi = I$ (Remark 3)"),
         ),
         strict=True,
     ):

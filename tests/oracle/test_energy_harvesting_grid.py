@@ -91,7 +91,7 @@ def joint_grid_means(log):
 
 def test_joint_filter_is_the_exact_filter():
     """On (x, E, H) the joint filter converges to the exact mean, and Lemma 1 to another one."""
-    log = log_of("ungm", 16, point="reading-harvest=identity", steps=6)
+    log = log_of("ungm", 16, point="harvest=identity", steps=6)
     exact = joint_grid_means(log)
     settings = {"particles": 4000, "resampling": "systematic"}
     joint = run(log, "pf_ross_eh_joint", settings)[0][:, 1:, 0] - exact

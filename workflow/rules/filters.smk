@@ -117,7 +117,7 @@ use rule run_filter as pf_ross with:
         runs(
             "pf_ross",
             studies=["ungm", "rss_2d", "rss_3d"],
-            points=["base", "reading-layout=*", "reading-weights=*"],
+            points=["base", "reading-*@base"],
         ),
 
 
@@ -126,7 +126,7 @@ use rule run_filter as pf_eh with:
         runs(
             "pf_eh",
             studies=["ungm", "rss_2d", "rss_3d"],
-            points=["base", "reading-layout=*", "reading-weights=*"],
+            points=["base", "reading-*@base"],
         ),
 
 
@@ -135,7 +135,7 @@ use rule run_filter as spf with:
         runs(
             "spf",
             studies=["ungm", "rss_2d", "rss_3d"],
-            points=["base", "reading-layout=*", "reading-weights=*"],
+            points=["base", "reading-*@base"],
         ),
 
 
@@ -144,7 +144,7 @@ use rule run_filter as spf_im with:
         runs(
             "spf_im",
             studies=["ungm", "rss_2d", "rss_3d"],
-            points=["base", "reading-layout=*", "reading-weights=*"],
+            points=["base", "reading-*@base"],
         ),
 
 
@@ -153,7 +153,7 @@ use rule run_filter as pf_ross_eh_exact with:
         runs(
             "pf_ross_eh_exact",
             studies=["ungm"],
-            points=["base", "reading-harvest=*"],
+            points=["base", "harvest=identity"],
         ),
 
 
@@ -162,7 +162,7 @@ use rule run_filter as pf_ross_eh_joint with:
         runs(
             "pf_ross_eh_joint",
             studies=["ungm"],
-            points=["base", "reading-harvest=*"],
+            points=["base", "harvest=identity"],
         ),
 
 

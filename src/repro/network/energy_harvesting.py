@@ -76,13 +76,19 @@ def lemma_1(queue: EnergyQueue, steps: int) -> np.ndarray:
     tau[0, queue.initial_energy] = 1.0
     for k in range(1, steps + 1):
         law[:harvests] = _next_law(law[:harvests], queue.harvest_transition)  # p(k) of (24), (25)
-        s = np.zeros((top + 1, top + 1))
-        for held in range(top + 1):
-            left = max(held - 1, 0)
-            s[left:top, held] = law[: top - left]
-            s[top, held] = -s[:top, held].sum()
+        s = lemma_1_matrix(law, top)
         tau[k] = chi + (s * tau[k - 1]).sum(axis=1)  # (24)
     return tau
+
+
+def lemma_1_matrix(law: np.ndarray, top: int) -> np.ndarray:
+    """S(k) of Lemma 1, (top + 1, top + 1), from the law p(k) of H(k), at least (top,)."""
+    s = np.zeros((top + 1, top + 1))
+    for held in range(top + 1):
+        left = max(held - 1, 0)
+        s[left:top, held] = law[: top - left]
+        s[top, held] = -s[:top, held].sum()
+    return s
 
 
 def joint_transition(queue: EnergyQueue) -> np.ndarray:

@@ -56,7 +56,7 @@ class Ungm(HarvestingStudy):
         steps, offsets = parameters.steps, parameters.sensor_offsets
         w = ungm.gamma_noise(streams("process"), parameters.process_noise_scale, steps)
         truth = np.empty((len(w), steps + 1))
-        truth[:, 0] = parameters.true_initial_state
+        truth[:, 0] = self.first_states(parameters, streams)[..., 0]
         for k in range(steps):
             truth[:, k + 1] = ungm.transition(truth[:, k], k) + w[:, k]  # (1)
         levels = np.stack([ungm.level(truth, offset) for offset in offsets], axis=1)

@@ -44,6 +44,9 @@ class HarvestingParameters(PointParameters):
     initial_harvest: Literal["uniform", "zero", "full", "stationary"] = Field(
         description="law of the harvest H(0)"
     )
+    initial_truth: Literal["printed", "drawn"] = Field(
+        description="whether x(0) of a run is true_initial_state, or drawn from the filters' prior"
+    )
 
     @model_validator(mode="after")
     def _battery_holds_its_energy(self) -> Self:
@@ -69,6 +72,12 @@ class HarvestingStudy(Study):
     """A study of saturating, energy-harvesting sensors."""
 
     components: ClassVar[Mapping[str, Sequence[int]]]  # name -> state components of one error
+
+    def first_states(self, parameters: Any, streams: StreamsOf) -> np.ndarray:
+        """x(0), of every trial (trials, n) if it is drawn, else (n,)."""
+        if parameters.initial_truth == "drawn":
+            return self.model(parameters).draw_prior(streams("truth"), 1)[:, :, 0]
+        return np.atleast_1d(parameters.true_initial_state)
 
     def channel_topics(self, parameters: Any) -> dict[str, Fields]:
         topics = self.topics(parameters)

@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 from repro.logs import Log
 from repro.models import rss
 from repro.models.sensor_network import DrawPrior, GaussianNoise, SensorNetwork
-from repro.parameters.values import Positive, at_most
+from repro.parameters.values import Positive, Probability, at_most
 from repro.statistics.runs import Runs
 from repro.studies import StreamsOf
 from repro.studies.families import harvesting_sensors
@@ -61,6 +61,17 @@ class SignalStrengthAnalysis(HarvestingAnalysis):
     fewest_compared: int = Field(
         ge=1, description="runs that neither filter loses, below which their RMSE is not compared"
     )
+    lost_margin: Probability = Field(
+        description="share of the runs by which the more accurate filter may lose more"
+    )
+    much_better: float = Field(ge=1.0, description="factor between errors that `much` stands for")
+    approaches_within: float = Field(
+        gt=1.0, description="factor between errors that approach one another"
+    )
+    tracks_within: Positive = Field(
+        description="m, rms position error over all steps of a run that tracks well"
+    )
+    tracks_share: Probability = Field(description="share of the runs that must track well")
 
 
 class SignalStrengthStudy(HarvestingStudy):
@@ -80,7 +91,7 @@ class SignalStrengthStudy(HarvestingStudy):
         time, root = _motion(parameters)
         normals = streams("process").standard_normal(steps, n)
         truth = np.empty((len(normals), n, steps + 1))
-        truth[:, :, 0] = parameters.true_initial_state
+        truth[:, :, 0] = self.first_states(parameters, streams)
         for k in range(steps):
             truth[:, :, k + 1] = rss.move(truth[:, :, k], normals[:, k], time, root)
         sensors = range(parameters.sensors)

@@ -1,10 +1,11 @@
-"""Claims of [energy_harvesting]: Figures 2-13 and their text, Lemma 1, Remarks 3 and 5."""
+"""Claims of [energy_harvesting]: Figures 2-13 and their text, Lemma 1, Remarks 3 to 5."""
 
 from repro.papers.energy_harvesting.claims import (
     accuracy,
     battery,
     lemma_1,
     reductions,
+    remarks,
     worst_filter,
 )
 from repro.verdicts.claims import Claim
@@ -15,4 +16,5 @@ CLAIMS: list[Claim] = [
     *worst_filter.CLAIMS,
     *reductions.CLAIMS,
     *lemma_1.CLAIMS,
+    *remarks.CLAIMS,
 ]

@@ -38,8 +38,7 @@ def lemma_1_is_right(results: Results) -> list[Part]:
 )
 def identity_is_the_reduction(results: Results) -> list[Part]:
     lemma, exact = (
-        probability(results, "ungm", "reading-harvest=identity", rule)
-        for rule in ("lemma1", "exact")
+        probability(results, "ungm", "harvest=identity", rule) for rule in ("lemma1", "exact")
     )
     largest, rounding = np.abs(lemma - exact).max(), results.analysis("ungm").rounding
     return [below("largest error of Lemma 1 for Pi = I", largest, rounding)]
