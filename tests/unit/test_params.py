@@ -205,7 +205,7 @@ def test_overrides_of_the_run_are_checked():
 def test_points_are_resolved():
     studies = load_paper(PAPER).studies
     assert studies["linear_delays"]["arrival=1.0"].parameters.arrival_probability == 1.0
-    point = studies["wsn_tracking"]["as-printed-n2-arrival=0.9"]
+    point = studies["wsn_tracking"]["reading-as_printed@n2-arrival=0.9"]
     assert point.parameters.turn_rate_variance == 0.2
     assert point.filters["emvf"]["initial_second_moment"] == "P0"
     base = studies["wsn_tracking"]["n2-arrival=0.9"]
