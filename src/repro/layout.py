@@ -58,6 +58,10 @@ class Layout:
         """Numbers that the reasons for the verdicts of a paper state."""
         return self._at("facts", f"{paper}.csv")
 
+    def joint(self, paper="{paper}") -> str:
+        """Each printed table of a paper against ours as a whole."""
+        return self._at("joint", f"{paper}.csv")
+
     def view(self, study="{study}", point="{point}", trial: Number = "{trial}") -> str:
         """One trial to look into, without its ending."""
         return self._at("views", study, point, f"trial-{trial}")

@@ -151,6 +151,16 @@ def paper_logs(paper):
     return [file for study in PAPERS[paper].studies for file in REGISTRY.log_files(study)]
 
 
+VERDICTS_FROM = {"claims", "facts", "tables"}
+
+
+def judged_by(paper):
+    """Modules of a paper that its verdicts come from; it may have no facts and no tables."""
+    own = SOURCE / "repro/papers" / paper
+    names = {path.stem for path in own.glob("*") if path.suffix == ".py" or path.is_dir()}
+    return [f"repro.papers.{paper}.{name}" for name in sorted(names & VERDICTS_FROM)]
+
+
 def plain_points(study):
     """Parameters, and settings by filter, of each point of a study, as JSON has them."""
     return {

@@ -49,6 +49,7 @@ rule manifest:
         parameters=["params/run.yaml", *PARAMETER_FILES, *rules.diff.input.published],
         tables=[
             [] if SMOKE else [rules.diff.output, rules.diff.input.claims],
+            [] if SMOKE else [rules.diff.input.facts, rules.diff.input.joint],
             rules.diff.input.tables,
             rules.parameters.output,
             rules.assumptions.output,

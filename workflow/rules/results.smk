@@ -44,6 +44,7 @@ rule claims:
     output:
         claims=LAYOUT.claims(),
         facts=LAYOUT.facts(),
+        joint=LAYOUT.joint(),
     log:
         LAYOUT.job_log("claims", "{paper}"),
     benchmark:
@@ -52,7 +53,13 @@ rule claims:
         ENVIRONMENT
     params:
         results=lambda wildcards: results_of(PAPERS[wildcards.paper].studies),
-        code=code("repro.papers.{paper}.claims", "repro.verdicts.facts"),
+        code=lambda wildcards: or_exit(
+            code_digest,
+            "repro.workflow.job",
+            "repro.verdicts.facts",
+            "repro.verdicts.joint",
+            *judged_by(wildcards.paper),
+        ),
     script:
         "../scripts/claims.py"
 
@@ -88,6 +95,7 @@ rule diff:
         published=[f"params/published/{paper}.csv" for paper in JUDGED],
         claims=[LAYOUT.claims(paper) for paper in JUDGED],
         facts=[LAYOUT.facts(paper) for paper in JUDGED],
+        joint=[LAYOUT.joint(paper) for paper in JUDGED],
         robustness=[LAYOUT.robustness(paper) for paper in JUDGED],
         tables=[file for paper in JUDGED for file in table_files(paper)],
     output:
@@ -113,6 +121,7 @@ rule diff:
                 "published": f"params/published/{paper}.csv",
                 "claims": LAYOUT.claims(paper),
                 "facts": LAYOUT.facts(paper),
+                "joint": LAYOUT.joint(paper),
                 "robustness": LAYOUT.robustness(paper),
                 "tables": table_files(paper),
             }

@@ -1,7 +1,7 @@
 """The verdicts for a reader: tally, Markdown page, and the first page of Snakemake's report."""
 
 import string
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,13 +10,17 @@ import pandas as pd
 from repro.atomic import atomic_write
 from repro.pages.markdown import markdown_line, markdown_table
 from repro.tables.csv_file import write_csv
-from repro.verdicts.published import REPRODUCED, VERDICTS, diff
+from repro.verdicts.published import CLASSES, REPRODUCED, VERDICTS, diff
+from repro.verdicts.standing import STANDINGS
 
 HEADS = {
     "value": ("item", "published", "ours", "standard error (ours, theirs)", "z", "allowed"),
     "claim": ("item", "claim", "evidence"),
 }
+JOINT_HEAD = ("table", "cells", "trials", "chi-square", "p-value", "farthest cell", "its z")
 TITLE = "Published against reproduced"
+NONE = "none printed"
+WITHOUT = "without reading"  # no reading of the paper concerns the verdict
 
 
 def write_diff(
@@ -34,10 +38,11 @@ def write_diff(
     """
     table = diff(papers, tolerance)
     write_csv(table, csv)
-    write_csv(pd.concat([pd.read_csv(p["robustness"]) for p in papers.values()]), robustness)
+    write_csv(_all(papers, "robustness"), robustness)
+    joint = _all(papers, "joint")
     texts = {
-        markdown: markdown_page(table),
-        report: report_page(table),
+        markdown: markdown_page(table, joint),
+        report: report_page(table, joint),
         tally: "\n".join(tally_lines(table)) + "\n",
     }
     for path, text in texts.items():
@@ -45,21 +50,43 @@ def write_diff(
             part.write_text(text, encoding="utf-8")
 
 
+def _all(papers: Mapping[str, Mapping[str, Any]], kind: str) -> pd.DataFrame:
+    return pd.concat([pd.read_csv(files[kind]) for files in papers.values()])
+
+
 def tally_lines(table: pd.DataFrame) -> list[str]:
-    """One line a paper: how many published values match, how many claims hold."""
+    """Verdicts of each paper by what their evidence is worth, and what another seed may change."""
     lines = []
     for paper, rows in table.groupby("paper", sort=False):
-        tallies = []
+        standings = []
         for kind, verdicts in VERDICTS.items():
-            of_kind = list(rows.loc[rows["kind"] == kind, "verdict"])
-            counts = ", ".join(f"{of_kind.count(verdict)} {verdict}" for verdict in verdicts)
-            tallies.append(f"{len(of_kind)} {kind}s: {counts}")
-        unexpected = list(rows["as_expected"]).count(False)
-        edge = list(rows["on_edge"]).count(True)
-        lines.append(
-            f"{paper}: {'; '.join(tallies)}; {unexpected} not as expected, {edge} on the edge"
-        )
-    return lines
+            of_kind = rows.loc[rows["kind"] == kind]
+            by_class = [
+                f"{name} {_counts(of_class['verdict'], verdicts)}"
+                for name in CLASSES
+                if len(of_class := of_kind.loc[of_kind["class"] == name])
+            ]
+            if not by_class:
+                lines.append(f"{paper} {kind}s: {NONE}")
+            else:
+                edge = list(of_kind["on_edge"]).count(True)
+                lines.append(f"{paper} {kind}s: {'; '.join(by_class)}; {edge} on the edge")
+                words = of_kind["standing"].str.partition(" ")[0].replace("", WITHOUT)
+                standings.append(f"{kind}s {_counts(words, (*STANDINGS, WITHOUT))}")
+        lines.append(f"{paper} under other readings: {'; '.join(standings)}")
+    unexpected = list(table["as_expected"]).count(False)
+    risk = min(1.0, table["seed_risk"].sum())
+    return [
+        *lines,
+        f"all papers: {unexpected} verdicts not as expected; "
+        f"a fresh root seed fails `snakemake verify` with probability at most {risk:.2g}",
+    ]
+
+
+def _counts(found: pd.Series, kinds: Iterable[str]) -> str:
+    """How many are of each kind that there is."""
+    counts = found.value_counts()
+    return ", ".join(f"{counts[kind]} {kind}" for kind in kinds if kind in counts)
 
 
 EDGE = " (on the edge)"  # another root seed may give another verdict
@@ -73,8 +100,11 @@ class Section(NamedTuple):
     rows: list[list[str]]
 
 
-def sections(table: pd.DataFrame) -> Iterator[Section]:
-    """The tables of all papers; in each, what does not reproduce comes first."""
+def sections(table: pd.DataFrame, joint: pd.DataFrame) -> Iterator[Section]:
+    """The tables of all papers; in each, what does not reproduce comes first.
+
+    `joint` has the printed tables as a whole, see `compare_tables`.
+    """
     for paper, rows in table.groupby("paper", sort=False):
         ranked = rows.assign(rank=rows["verdict"].isin(REPRODUCED))
         ranked = ranked.sort_values("rank", kind="stable").to_dict("records")
@@ -90,6 +120,15 @@ def sections(table: pd.DataFrame) -> Iterator[Section]:
                     (*head, "evidence is", "verdict", "readings", "reason"),
                     cells,
                 )
+            wholes = joint.loc[joint["paper"] == paper].to_dict("records")
+            if kind == "value" and wholes:
+                yield Section(f"{paper}: each table as a whole", JOINT_HEAD, [*map(_whole, wholes)])
+
+
+def _whole(row: Mapping[Any, Any]) -> list[str]:
+    of_test = [f"{row['chi_square']:.1f}", f"{row['p_value']:.2g}"]
+    counts = [str(row["cells"]), str(row["trials"])]
+    return [row["table"], *counts, *of_test, row["farthest"], f"{row['z']:+.1f}"]
 
 
 def _verdict(row: Mapping[Any, Any]) -> str:
@@ -105,10 +144,10 @@ def _cells(row: Mapping[Any, Any]) -> list[str]:
     return [row["item"], f"{row['published']:g}", f"{row['ours']:.4g}", errors, z, allowed]
 
 
-def markdown_page(table: pd.DataFrame) -> str:
+def markdown_page(table: pd.DataFrame, joint: pd.DataFrame) -> str:
     """The page results/diff.md."""
     text = [f"# {TITLE}", "", *(f"- {line}" for line in tally_lines(table)), ""]
-    for section in sections(table):
+    for section in sections(table, joint):
         text += [
             f"## {markdown_line(section.title)}",
             "",
@@ -118,11 +157,11 @@ def markdown_page(table: pd.DataFrame) -> str:
     return "\n".join(text)
 
 
-def report_page(table: pd.DataFrame) -> str:
+def report_page(table: pd.DataFrame, joint: pd.DataFrame) -> str:
     """The first page of the report; the pictures of the verdicts are links into it."""
     text = [TITLE, "=" * len(TITLE), ""]
     text += [f"- {_escaped(line)}" for line in tally_lines(table)]
-    for section in sections(table):
+    for section in sections(table, joint):
         title = _escaped(section.title)
         text += ["", title, "-" * len(title), ""]
         text += [".. list-table::", "   :header-rows: 1", ""]

@@ -53,6 +53,13 @@ class Part(NamedTuple):
         only_holds, only_fails = below(-margin - moved), 1.0 - below(margin + moved)
         return dict(zip(RISKS, (not_holds, not_fails, only_holds, only_fails), strict=True))
 
+    @property
+    def margin(self) -> float:
+        """Standard errors by which the difference is above zero; infinite for an exact number."""
+        if self.mcse != 0:
+            return self.difference / self.mcse
+        return math.copysign(math.inf, self.difference) if self.difference else 0.0
+
     def verdict(self, tolerance: float) -> str:
         """holds or fails beyond `tolerance` standard errors, undecided within."""
         margin = tolerance * self.mcse
@@ -145,7 +152,7 @@ def decide(results: Results, paper: str, path: str | Path) -> None:
         for part in test(results):
             rows.append(
                 {"paper": paper, "item": item, "statement": statement, "part": part.name}
-                | {"difference": part.difference, "mcse": part.mcse}
+                | {"difference": part.difference, "mcse": part.mcse, "margin": part.margin}
                 | {"verdict": part.verdict(results.tolerance)}
                 | {"possible": " ".join(sorted(part.possible(results.tolerance)))}
                 | part.risks(results.tolerance)

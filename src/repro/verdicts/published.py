@@ -20,8 +20,8 @@ ON_EDGE = "On the edge: our number is so near the limit that another root seed m
 KEYS = ["study", "point", "filter", "metric", "component"]
 DIFF_COLUMNS = [
     *("paper", "item", "kind", *KEYS, "published", "ours", "mcse", "their_error", "allowed", "z"),
-    *("allowed_percent", "class", "verdict", "standing", "evidence", "expect", "as_expected"),
-    *("on_edge", "seed_risk", "reason", "statement"),
+    *("allowed_percent", "margin", "class", "verdict", "standing", "evidence", "expect"),
+    *("as_expected", "on_edge", "seed_risk", "reason", "statement"),
 ]
 COLUMNS = ["item", *KEYS, "value", "digits", "kind", "class", "trials", "expect", "reason"]
 # Of evidence: an exact equality or count; agreement with numbers that a parameter was chosen on; a
@@ -110,6 +110,9 @@ def compare(
 ) -> Iterator[dict[str, Any]]:
     """Rows of the diff of one paper, in the order of its published file.
 
+    `margin` is the z of a value, or how many standard errors the least favourable comparison of a
+    claim is above no difference.
+
     A verdict is on the edge if another root seed may give another one: if moving our number by
     `tolerance` of its standard errors does. It is as expected if the expected one is among those.
     Raises ReproError, naming the `source` file, for a row without a result or a claim without row.
@@ -126,7 +129,8 @@ def compare(
             verdict = compare_value(
                 float(row["value"]), int(row["digits"]), int(row["trials"]), ours[key], tolerance
             )
-            compared |= dict(zip(KEYS, key, strict=True)) | verdict | {"evidence": ""}
+            compared |= dict(zip(KEYS, key, strict=True)) | verdict
+            compared |= {"evidence": "", "margin": verdict["z"]}
             possible = set(VERDICTS["value"]) if verdict["on_edge"] else {verdict["verdict"]}
             seed_risk = value_risk(row["expect"], verdict, tolerance)
         else:
@@ -138,6 +142,7 @@ def compare(
                 "on_edge": len(possible := possible_overall(parts["possible"].str.split())) > 1,
                 "statement": parts["statement"].iloc[0],
                 "evidence": _evidence(parts),
+                "margin": parts["margin"].max(),
             }
             seed_risk = risk(row["expect"], {name: parts[name].to_numpy() for name in RISKS})
         of_item = None if robustness is None else robustness.loc[robustness["item"] == item]
@@ -157,8 +162,7 @@ def _evidence(parts: pd.DataFrame) -> str:
     """How many comparisons decide what, and the least favourable one."""
     counts = parts["verdict"].value_counts()
     tally = ", ".join(f"{counts[v]} {v}" for v in VERDICTS["claim"] if v in counts)
-    ratio = parts["difference"] / parts["mcse"].clip(lower=1e-300)
-    worst = parts.loc[ratio.fillna(-np.inf).idxmax()]
+    worst = parts.sort_values(["margin", "difference"], na_position="first").iloc[-1]
     return (
         f"{len(parts)} comparisons: {tally}; least favourable: {worst['part']}: "
         f"{worst['difference']:.4g} ± {worst['mcse']:.2g}"
@@ -188,7 +192,8 @@ def verify(csv: str | Path) -> None:
     surprises = table.loc[~table["as_expected"]].to_dict("records")
     if surprises:
         named = "; ".join(
-            f"{row['paper']}, {row['item']}: {row['verdict']}, expected {row['expect']}"
+            f"{row['paper']}, {row['item']}: {row['verdict']}, expected {row['expect']} "
+            f"({row['class']}, margin {row['margin']:+.1f} standard errors)"
             for row in surprises
         )
         raise ReproError(f"{csv}: {named}")

@@ -11,13 +11,16 @@ import pandas as pd
 from repro.tables.csv_file import write_csv
 from repro.tables.results import Results
 from repro.tables.under_reading import UnderReading
-from repro.verdicts.claims import Claim, Part, overall
+from repro.verdicts.claims import Claim, overall
 from repro.verdicts.published import KEYS, compare_value, read_published
 from repro.verdicts.standing import NOT_RUN
 
 COLUMNS = [
     *("paper", "item", "kind", "reading", "changes", "points", "verdict", "margin", "trials")
 ]
+# What a test raises that finds no such point, filter or value of a sweep, no first of them, or not
+# two to compare; all are there on the ordinary points.
+TOO_FEW = (LookupError, StopIteration, ValueError)
 
 
 def judge(
@@ -84,7 +87,9 @@ def _claims(
         view.used.clear()
         try:
             parts = list(test(view))
-        except LookupError:  # a point or filter that does not run, or a sweep that lacks a value
+        except TOO_FEW:
+            parts = []
+        if not parts:
             yield {"item": item, "kind": "claim", "verdict": NOT_RUN}
             continue
         points, used = ({key[i] for key in view.used} for i in (1, 2))
@@ -95,12 +100,6 @@ def _claims(
             "kind": "claim",
             "points": " ".join(sorted(points)),
             "verdict": overall(part.verdict(view.tolerance) for part in parts),
-            "margin": max(map(_margin, parts)),
+            "margin": float(np.fmax.reduce([part.margin for part in parts])),
             "trials": min(view.used.values()),
         }
-
-
-def _margin(part: Part) -> float:
-    """Standard errors of a difference above zero; none can be given for an exact number."""
-    exact = np.copysign(np.inf, part.difference) if part.difference else 0.0
-    return float(part.difference / part.mcse) if part.mcse > 0 else float(exact)

@@ -3,11 +3,12 @@
 import pandas as pd
 
 OPPOSITE = {"match": "differs", "differs": "match", "holds": "fails", "fails": "holds"}
+STANDINGS = ("robust", "conditional", "reversed")  # how `standing` begins
 NOT_RUN = "not run"  # the reading has no point that the claim needs
 
 
 def standing(verdict: str, readings: pd.DataFrame) -> str:
-    """What a verdict rests on, from its rows of the readings: see `COLUMNS`."""
+    """What a verdict rests on, from its rows of the readings: see `robustness.COLUMNS`."""
     judged = readings.loc[readings["verdict"] != NOT_RUN]
     if judged.empty:
         return ""
