@@ -89,7 +89,11 @@ def row(monkeypatch):
 
 @pytest.mark.parametrize(
     ("slope", "of_bound", "over_p", "over_n"),
-    [(-9.0, -1.0, "holds", "holds"), (9.0, 1.0, "fails", "fails"), (0, 0, "undecided", "undecided")],
+    [
+        (-9.0, -1.0, "holds", "holds"),
+        (9.0, 1.0, "fails", "fails"),
+        (0, 0, "undecided", "undecided"),
+    ],
 )
 def test_the_order_of_table_2(row, slope, of_bound, over_p, over_n):
     results = row(lambda n, p: 10 + slope * p + of_bound * n)
