@@ -90,16 +90,18 @@ def _slope(results: Results, bound: int, arrivals: list[str]) -> np.ndarray:
     """Slope of the straight line through each run's mean errors over p, (trials,), in m."""
     p = np.array(arrivals, dtype=float)
     weights = (p - p.mean()) / ((p - p.mean()) ** 2).sum()
-    return sum(
-        weight * mean_error(results, bound, arrival)
-        for weight, arrival in zip(weights, arrivals, strict=True)
-    )
+    return (weights[:, None] * _row(results, bound, arrivals)).sum(axis=0)
 
 
 def _neighbouring_rows(results: Results) -> list[tuple[int, int, np.ndarray, np.ndarray]]:
     """N, the next N, and the mean of each run over the columns of both rows, (trials,), in m."""
     rows = {
-        bound: sum(mean_error(results, bound, arrival) for arrival in arrivals) / len(arrivals)
+        bound: _row(results, bound, arrivals).mean(axis=0)
         for bound, arrivals in table_2(results).items()
     }
     return [(less, more, rows[less], rows[more]) for less, more in pairwise(rows)]
+
+
+def _row(results: Results, bound: int, arrivals: list[str]) -> np.ndarray:
+    """Mean errors of a row of the table, (columns, trials), in m."""
+    return np.stack([mean_error(results, bound, arrival) for arrival in arrivals])
