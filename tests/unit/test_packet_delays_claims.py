@@ -123,9 +123,6 @@ def test_errors_before_and_after_the_only_missed_packet(monkeypatch):
 
 
 @pytest.mark.parametrize(("printed", "expected"), [(0.5, "holds"), (1.5, "fails"), (0.0, "fails")])
-def test_a_printed_number_among_the_extremes_is_not_typical(monkeypatch, printed, expected):
-    monkeypatch.setattr(wsn_tracking, "number_missed", lambda *_: np.full(400, 7))
-    analysis = SimpleNamespace(figure_10_missed_packets=7, typical_quantiles=(0.05, 0.95))
-    results = SimpleNamespace(analysis=lambda _: analysis)
-    parts = wsn_tracking._typical(results, "x", printed, np.linspace(0, 1, 400))
+def test_a_printed_number_among_the_extremes_is_not_typical(printed, expected):
+    parts = wsn_tracking._typical("x", printed, np.linspace(0, 1, 400), (0.05, 0.95))
     assert verdict(parts) == expected

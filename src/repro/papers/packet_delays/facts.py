@@ -107,14 +107,16 @@ def without_losses(results: Results) -> Numbers:
 def of_table_2(results: Results) -> Numbers:
     """What the cells of Table 2 can decide, and its cell N = 0, p = 0.99."""
     bounds = table_2(results)
-    cells = [mean_error(results, n, p) for n, arrivals in bounds.items() for p in arrivals]
+    rows = {n: [mean_error(results, n, p) for p in arrivals] for n, arrivals in bounds.items()}
+    cells = [cell for row in rows.values() for cell in row]
     theirs = [100 * cell.std(ddof=1) / THEIR_TRIALS**0.5 / cell.mean() for cell in cells]
-    last = [mean_error(results, 2, p) for p in bounds[2]]
-    steps = [metrics.mean_error(high - low) for low, high in pairwise(last)]
+    columns = [metrics.mean_error(high - low) for low, high in pairwise(rows[max(rows)])]
+    beside = [metrics.mean_error(np.subtract(*of_p)) for of_p in zip(rows[0], rows[1], strict=True)]
     suspect = results.parameters(TRACKING, tracking_point(0, bounds[0][-1]))
     no_loss = suspect.arrival_probability**suspect.steps
     return _extremes("their_error_percent", [float(of_cell) for of_cell in theirs]) | {
-        "next_column_undecided": results.tolerance * float(max(steps)),
+        "next_column_undecided": results.tolerance * float(max(columns)),
+        "next_row_undecided": results.tolerance * float(max(beside)),
         "without_miss_percent": 100 * no_loss,
         "mean_of_others": 1 / (1 - no_loss),
     }

@@ -73,8 +73,8 @@ def correlations(
 ) -> list[tuple[int, str, tuple[float, float]]]:
     """Correlation of the error at k and y(k-lag), with its standard error, for lags up to N."""
     error = results.runs(LINEAR, point, filter_).error
-    y = results.log(LINEAR, point).field("/received", "y")
-    lags = range(results.parameters(LINEAR, point).packet_bound + 1)
+    log = results.log(LINEAR, point)
+    y, lags = log.field("/received", "y"), range(log.parameters.packet_bound + 1)
     late = error[:, len(lags) :]  # y(0) is not received
     return [
         (lag, component, _correlation(late[..., i], y[:, len(lags) - lag : y.shape[1] - lag]))

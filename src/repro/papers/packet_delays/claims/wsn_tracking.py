@@ -134,15 +134,15 @@ def emvf_better_with_larger_packet_bound(results: Results) -> list[Part]:
     "Fig. 10: its largest errors are typical of runs that miss as many packets",
 )
 def figure_10_is_typical(results: Results) -> list[Part]:
-    analysis = results.analysis(TRACKING)
+    analysis, comparable = results.analysis(TRACKING), _as_in_figure_10(results)
     return [
         part
         for bound, printed in analysis.figure_10_largest_errors.items()
         for part in _typical(
-            results,
             f"N={bound}: {_range(printed)}",
             float(np.mean(printed)),
-            largest_error(results, bound, "0.9", "emvf"),
+            largest_error(results, bound, "0.9", "emvf")[comparable],
+            analysis.typical_quantiles,
         )
     ]
 
@@ -153,32 +153,37 @@ def figure_10_is_typical(results: Results) -> list[Part]:
     "Fig. 10: its two largest errors, of one run, have a ratio that is typical of such runs",
 )
 def figure_10_is_typical_in_one_run(results: Results) -> list[Part]:
-    printed = results.analysis(TRACKING).figure_10_largest_errors
-    (first, of_first), (second, of_second) = sorted(printed.items())
-    ratio = np.mean(of_first) / np.mean(of_second)
-    ours = [largest_error(results, bound, "0.9", "emvf") for bound in (first, second)]
+    analysis, comparable = results.analysis(TRACKING), _as_in_figure_10(results)
+    (first, of_first), (second, of_second) = sorted(analysis.figure_10_largest_errors.items())
+    ratio = float(np.mean(of_first) / np.mean(of_second))
+    ours = [largest_error(results, bound, "0.9", "emvf")[comparable] for bound in (first, second)]
     name = f"largest error with N={first} over that with N={second}: {ratio:.2f}"
-    return _typical(results, name, float(ratio), ours[0] / ours[1])
+    return _typical(name, ratio, ours[0] / ours[1], analysis.typical_quantiles)
 
 
-def _typical(results: Results, name: str, printed: float, of_runs: np.ndarray) -> list[Part]:
-    """A printed number is not among the extremes of the runs that miss as many packets.
+def _as_in_figure_10(results: Results) -> np.ndarray:
+    """Which runs miss as many packets as the printed one, (trials,); N = 1 and N = 2 agree."""
+    missed = results.analysis(TRACKING).figure_10_missed_packets
+    return number_missed(results, 1, "0.9") == missed
 
-    N = 1 and N = 2 share their missed packets. The standard error of the quantile is that of
-    Agresti and Coull (1998), which is not zero at the quantiles 0 and 1.
+
+def _typical(
+    name: str, printed: float, comparable: np.ndarray, quantiles: tuple[float, float]
+) -> list[Part]:
+    """A printed number is not among the extremes of the comparable runs, (runs,).
+
+    The standard error of its quantile is that of Agresti and Coull (1998), which is not zero at the
+    quantiles 0 and 1.
     """
-    analysis = results.analysis(TRACKING)
-    number, (lowest, highest) = analysis.figure_10_missed_packets, analysis.typical_quantiles
-    comparable = of_runs[number_missed(results, 1, "0.9") == number]
-    if not len(comparable):
-        return [Part(f"{name}: no run misses {number} packets", np.nan, np.nan)]
-    quantile = (comparable < printed).mean()
-    near = (quantile * len(comparable) + 2) / (len(comparable) + 4)
-    error = np.sqrt(near * (1 - near) / (len(comparable) + 4))
-    found = f"{name} is quantile {quantile:.3f} of {len(comparable)} runs with {number} missed"
+    runs, (lowest, highest) = len(comparable), quantiles
+    below = np.count_nonzero(comparable < printed)
+    quantile = below / runs if runs else np.nan
+    near = (below + 2) / (runs + 4)
+    error = float(np.sqrt(near * (1 - near) / (runs + 4)))
+    found = f"{name} is quantile {quantile:.3f} of {runs} runs with as many missed packets"
     return [
-        Part(f"{found}, above {lowest:g}", float(lowest - quantile), float(error)),
-        Part(f"{found}, below {highest:g}", float(quantile - highest), float(error)),
+        Part(f"{found}, above {lowest:g}", lowest - quantile, error),
+        Part(f"{found}, below {highest:g}", quantile - highest, error),
     ]
 
 
