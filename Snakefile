@@ -17,6 +17,7 @@ include: "workflow/rules/papers/unknown_losses.smk"
 include: "workflow/rules/results.smk"
 include: "workflow/rules/ranking.smk"
 include: "workflow/rules/pages.smk"
+include: "workflow/rules/seeds.smk"
 
 
 # On a cluster, where a run was started: they take about a second, and verify and timings print.
@@ -32,6 +33,7 @@ localrules:
     manifest,
     packet_example,
     parameters,
+    seeds,
     timings,
     verify,
 

@@ -7,8 +7,9 @@ from repro.tables.results import Results
 
 NEEDS = {"diff": True}
 CAPTION = (
-    "Verdicts of censored_network. Left: our values over the published ones, with the standard "
-    "errors of both. Right: every comparison behind each claim, in standard errors."
+    "Verdicts of the censored-network paper, by class of evidence. Above: published values, "
+    "in standard errors of both sides. Below: every comparison behind each claim, in standard"
+    " errors."
 )
 
 

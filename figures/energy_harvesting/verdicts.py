@@ -7,8 +7,8 @@ from repro.tables.results import Results
 
 NEEDS = {"diff": True}
 CAPTION = (
-    "Verdicts of the energy-harvesting paper: every comparison that a claim consists of, in "
-    "standard errors. The paper prints no value to compare."
+    "Verdicts of the energy-harvesting paper, by class of evidence. Every comparison behind "
+    "each claim, in standard errors. The paper prints no value to compare."
 )
 
 

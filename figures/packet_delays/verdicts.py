@@ -7,8 +7,9 @@ from repro.tables.results import Results
 
 NEEDS = {"diff": True}
 CAPTION = (
-    "Verdicts of the packet-delay paper. Left: ours over published, with the standard errors "
-    "of both. Right: every comparison that a claim consists of, in standard errors."
+    "Verdicts of the packet-delay paper, by class of evidence. Above: published values, in "
+    "standard errors of both sides. Below: every comparison behind each claim, in standard "
+    "errors."
 )
 
 

@@ -62,6 +62,10 @@ class Layout:
         """Each printed table of a paper against ours as a whole."""
         return self._at("joint", f"{paper}.csv")
 
+    def of_seed(self, seed: Number = "{seed}") -> str:
+        """The diff with another root seed; without its ending, the folder that it is made in."""
+        return self._at("seeds", f"{seed}.csv")
+
     def view(self, study="{study}", point="{point}", trial: Number = "{trial}") -> str:
         """One trial to look into, without its ending."""
         return self._at("views", study, point, f"trial-{trial}")

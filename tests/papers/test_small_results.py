@@ -24,6 +24,7 @@ from repro.pages.leaderboard import write_leaderboard
 from repro.pages.verdicts import write_diff
 from repro.parameters.load import Paper, Point, load_paper, load_run
 from repro.parameters.point_names import batch_of, on_request
+from repro.parameters.readings import readings_of
 from repro.plot import study_figures, style
 from repro.plot.draw import draw
 from repro.runner import FilteredPoint, run_filter
@@ -32,7 +33,10 @@ from repro.tables.ranking import tabulate_ranking
 from repro.tables.results import Results
 from repro.tables.study_tables import tabulate
 from repro.verdicts.claims import decide
+from repro.verdicts.facts import state
+from repro.verdicts.joint import compare_tables
 from repro.verdicts.published import VERDICTS
+from repro.verdicts.robustness import judge
 from repro.workflow.code import constants
 from tests.conftest import ROOT, catalogue
 
@@ -77,7 +81,10 @@ SCRIPTS = [
     for script in sorted((ROOT / "figures").glob("*/*.py"))
     if not constants(str(script))["NEEDS"].get("on_request")
 ]
-DIFF = {"csv": "diff.csv", "markdown": "diff.md", "report": "diff.rst", "tally": "tally.txt"}
+OF_PAPER = ("claims", "facts", "joint", "robustness")
+DIFF = {"csv": "diff.csv", "markdown": "diff.md", "report": "diff.rst", "tally": "tally.txt"} | {
+    "robustness": "robustness.csv"
+}
 
 
 class Small(NamedTuple):
@@ -195,26 +202,42 @@ def created(path: str) -> str:
     return path
 
 
+def plain(paper: Paper) -> dict[str, dict[str, dict]]:
+    """Parameters, and settings by filter, of each point of each study, as JSON has them."""
+    return {
+        study: {
+            point: {"parameters": values.parameters.plain(), "filters": values.filters}
+            for point, values in points.items()
+        }
+        for study, points in paper.studies.items()
+    }
+
+
 @pytest.fixture(scope="session")
 def judged(small: Build) -> Build:
     """Small results with claims and diff."""
 
     @once
-    def judge(name: str) -> Small:
+    def judged_paper(name: str) -> Small:
         built = small(name)
         layout = built.results.layout
+        published = published_file(name)
         decide(built.results, name, created(layout.claims(name)))
+        state(built.results, name, created(layout.facts(name)))
+        compare_tables(built.results, name, published, created(layout.joint(name)))
+        readings = {study: readings_of(points) for study, points in plain(built.paper).items()}
+        judge(built.results, name, readings, published, created(layout.robustness(name)))
         tables = [*built.paper.studies, *computed_tables(built.paper)]
         files = {
-            "published": published_file(name),
-            "claims": layout.claims(name),
+            "published": published,
+            **{kind: getattr(layout, kind)(name) for kind in OF_PAPER},
             "tables": [layout.table(table) for table in tables],
         }
         pages = {key: layout.page(page) for key, page in DIFF.items()}
         write_diff({name: files}, RUN.tolerance, **pages)
         return built
 
-    return judge
+    return judged_paper
 
 
 @pytest.mark.parametrize("name", PAPERS)
@@ -264,13 +287,7 @@ def test_claims_are_decided_and_every_published_row_has_a_verdict(name, judged):
 def test_the_page_of_assumptions(name, small):
     built = small(name)
     layout = built.results.layout
-    studies = {
-        study: {
-            point: {"parameters": values.parameters.plain(), "filters": values.filters}
-            for point, values in points.items()
-        }
-        for study, points in built.paper.studies.items()
-    }
+    studies = plain(built.paper)
     files = {
         "parameters": str(ROOT / f"params/{name}.yaml"),
         "published": published_file(name),

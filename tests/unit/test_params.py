@@ -15,6 +15,7 @@ from repro.parameters.load import (
     sources,
     user_values,
 )
+from repro.parameters.readings import readings_of
 from tests.conftest import ROOT
 
 PAPER = ROOT / "params" / "packet_delays.yaml"
@@ -50,6 +51,7 @@ TRACKING = ("studies", "wsn_tracking")
             "parameters.trials: 0 is too small; it must be at least 1",
         ),
         ((*LINEAR, "stepz"), {"value": 1, "source": "x"}, "unknown key 'stepz'; known keys are "),
+        ((*POINT, "of"), ["x"], "'of' is for readings; begin the name with reading-"),
         ((*POINT, "names"), "x", "unknown key 'names'; known keys are source, why, name, sweep"),
         ((*LINEAR, "steps"), None, "parameters: 'steps' is missing; add it"),
         ((*LINEAR, "steps", "value"), "many", "parameters.steps: 'many' is not an integer"),
@@ -225,6 +227,50 @@ def test_a_sweep_reaches_the_settings_of_filters_and_joins_keys(tmp_path):
     assert points["rule=8b-bound=3"].filters["omvf"] == {"alpha_rule": "8b", "qbar_sign": 1}
     parameters = points["rule=8b-bound=3"].parameters
     assert (parameters.packet_bound, parameters.sine_period) == (3, 3)
+
+
+READING = {
+    "name": "reading-steps",
+    "source": "x",
+    "of": ["arrival=0.[57]", "nothing"],
+    "set": {"steps": 7, "trials": 9},
+    "filters": {"omvf": {"alpha_rule": "8b"}},
+}
+
+
+def test_a_reading_of_points_changes_each_of_them_and_nothing_else(tmp_path):
+    paper = load_paper(changed(tmp_path, (*POINT[:3], 1), READING))
+    points = paper.studies["linear_delays"]
+    read = [name for name in points if name.startswith("reading-steps")]
+    assert read == ["reading-steps@arrival=0.5", "reading-steps@arrival=0.7"]
+    base, point = points["arrival=0.7"], points[read[1]]
+    expected = base.parameters.plain() | {"steps": 7, "trials": 9}
+    assert point.parameters.plain() == expected
+    assert point.filters["omvf"] == base.filters["omvf"] | {"alpha_rule": "8b"}
+    assert point.family != base.family and point.swept == base.swept
+    plain = {
+        n: {"parameters": p.parameters.plain(), "filters": p.filters} for n, p in points.items()
+    }
+    assert readings_of(plain)["reading-steps"] == {
+        "points": {"arrival=0.5": read[0], "arrival=0.7": read[1]},
+        "changes": {"steps": 7, "omvf.alpha_rule": "8b"},
+    }
+
+
+def test_a_reading_without_points_is_of_the_one_that_differs_least():
+    def point(**parameters):
+        return {"parameters": parameters, "filters": {}}
+
+    points = {"far": point(a=1, b=1, trials=400), "near": point(a=2, b=1, trials=400)}
+    points["reading-b=2"] = point(a=2, b=2, trials=100)
+    found = {"points": {"near": "reading-b=2"}, "changes": {"b": 2}}
+    assert readings_of(points) == {"reading-b=2": found}
+
+
+def test_a_reading_of_no_point_is_refused(tmp_path):
+    file = changed(tmp_path, (*POINT[:3], 1), READING | {"of": ["arrival=7"]})
+    with pytest.raises(ParameterError, match=r"reading-steps: of: no point above matches arrival"):
+        load_paper(file)
 
 
 def test_thresholds_of_the_analysis_are_typed():

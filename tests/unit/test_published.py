@@ -103,6 +103,7 @@ def published(**changes):
         "value": "2.0",
         "digits": "1",
         "kind": "value",
+        "class": "predicted",
         "trials": "100",
         "expect": "match",
     }
@@ -114,29 +115,60 @@ TABLE = pd.DataFrame(
 ).assign(value=2.2, mcse=0.01, trials=100)
 CLAIMS = pd.DataFrame(
     {"item": ["C1"], "statement": ["A < B"], "part": ["a"], "difference": [1.0]}
-).assign(mcse=0.1, verdict="fails", possible="fails")
+).assign(mcse=0.1, margin=10.0, verdict="fails", possible="fails", **Part("", 1.0, 0.1).risks(3))
+JOINT = pd.DataFrame(
+    [("paper", "Table 1", 4, 300, 3.21, 0.52, "T1", 1.6)],
+    columns=["paper", "table", "cells", "trials", "chi_square", "p_value", "farthest", "z"],
+)
+READINGS = pd.DataFrame(
+    [("T1", "reading-a", "match"), ("T1", "reading-b", "not run"), ("C1", "reading-a", "fails")],
+    columns=["item", "reading", "verdict"],
+)
 
 
 def test_rows_of_the_diff_and_the_tally():
     rows = pd.concat([published(), published(item="C1", kind="claim", expect="fails", reason="r")])
-    diff = pd.DataFrame(compare("paper", rows, TABLE, CLAIMS, 3.0, "file"))
+    diff = pd.DataFrame(compare("paper", rows, TABLE, CLAIMS, 3.0, "file", READINGS))
     assert diff["verdict"].tolist() == ["differs", "fails"]
     assert diff["as_expected"].tolist() == [False, True]
-    (line,) = tally_lines(diff)
-    assert line == (
-        "paper: 1 values: 0 match, 1 differs; 1 claims: 0 holds, 1 fails, 0 undecided; "
-        "1 not as expected, 0 on the edge"
+    assert diff["standing"].tolist() == ["reversed under a", "robust (1 reading)"]
+    assert diff["margin"].tolist() == pytest.approx([0.2 / np.hypot(0.01, 0.01), 10.0])
+    assert tally_lines(diff) == [
+        "paper values: predicted 1 differs; 0 on the edge",
+        "paper claims: predicted 1 fails; 0 on the edge",
+        "paper under other readings: values 1 reversed; claims 1 robust",
+        "all papers: 1 verdicts not as expected; "
+        "a fresh root seed fails `snakemake verify` with probability at most 1",
+    ]
+
+
+def test_the_tally_keeps_classes_of_evidence_apart_and_adds_the_risks():
+    rows = [published(**{"class": name}) for name in ("identity", "fitted", "fitted")]
+    rows.append(published(value="2.2", **{"class": "predicted"}))
+    rows = pd.concat([*rows, published(item="C1", kind="claim", expect="fails", reason="r")])
+    diff = pd.DataFrame(compare("paper", rows, TABLE, CLAIMS, 3.0, "file"))
+    diff["seed_risk"] = [0.001, 0.01, 0.1, 0.0, 0.0]
+    values, _, readings, total = tally_lines(diff)
+    assert values == (
+        "paper values: identity 1 differs; fitted 2 differs; predicted 1 match; 0 on the edge"
     )
+    assert readings.endswith("values 4 without reading; claims 1 without reading")
+    assert total.endswith("at most 0.11")
+    assert tally_lines(diff[diff["kind"] == "claim"])[0] == "paper values: none printed"
 
 
 def test_the_pages_have_every_row_and_the_report_page_is_valid():
-    row = published(item="C1", kind="claim", expect="fails", reason="|x_1| *and* `y`_ {{ z }}")
+    row = published(item="C1", kind="claim", expect="fails", reason="|x_1| *and* `y`_ {{{{ z }}}}")
     rows = pd.concat([published(), row])
     diff = pd.DataFrame(compare("paper", rows, TABLE, CLAIMS, 3.0, "file"))
-    cells = [[cell.strip() for cell in line.split("|")] for line in markdown_page(diff).split("\n")]
+    cells = [
+        [cell.strip() for cell in line.split("|")]
+        for line in markdown_page(diff, JOINT).split("\n")
+    ]
     assert any(row[1:3] == ["C1", "A < B"] for row in cells if len(row) > 2)
     assert any("2.2" in row for row in cells)
-    page = jinja2.Template(report_page(diff)).render()
+    assert ["Table 1", "4", "300", "3.2", "0.52", "T1", "+1.6"] in [row[1:-1] for row in cells]
+    page = jinja2.Template(report_page(diff, JOINT)).render()
     html = publish_parts(page, writer="html", settings_overrides={"halt_level": 1})["body"]
     assert "|x_1| *and* `y`_ {{ z }}" in html and "differs" in html
 
@@ -161,6 +193,7 @@ def test_rows_without_a_result_are_refused(rows, message):
         ({"expect": "holds"}, "expect 'holds' is not one of match, differs"),
         ({"expect": "differs"}, "expect 'differs' needs a reason"),
         ({"digits": "two"}, "digits must be a number"),
+        ({"class": "guessed"}, "class 'guessed' is not one of identity, fitted, predicted"),
     ],
 )
 def test_faults_of_a_published_file(changes, message, tmp_path):
@@ -169,12 +202,34 @@ def test_faults_of_a_published_file(changes, message, tmp_path):
         read_published(tmp_path / "p.csv")
 
 
+def test_what_a_value_is_allowed_is_stated_in_percent():
+    assert compare_value(5.0, 2, 100, ours(5.3, 0.1, 400), 3.0)["allowed_percent"] == pytest.approx(
+        100 * (3 * np.hypot(0.1, 0.2) + 0.005) / 5.0
+    )
+    assert np.isnan(compare_value(0.0, 2, 100, ours(5.3, 0.1, 400), 3.0)["allowed_percent"])
+
+
+def test_reasons_state_computed_numbers(tmp_path):
+    rows = published(reason="ours is {ratio:.2f} of theirs")
+    none = CLAIMS.iloc[:0]
+    (row,) = compare("paper", rows, TABLE, none, 3.0, "file", facts={"ratio": 1.0999})
+    assert row["reason"] == "ours is 1.10 of theirs"
+    missing = r"file: T1: reason: there is no fact 'ratio'; known are other$"
+    with pytest.raises(ReproError, match=missing):
+        list(compare("paper", rows, TABLE, none, 3.0, "file", facts={"other": 1.0}))
+    with pytest.raises(ReproError, match=r"^file: T1: reason: [^\n]*; write {name:.2f}$"):
+        list(compare("paper", published(reason="a {"), TABLE, none, 3.0, "file"))
+
+
 def test_verify_names_every_surprise(tmp_path):
     rows = pd.concat([published(), published(item="T2", value="2.2")])
     diff = pd.DataFrame(compare("paper", rows, TABLE, CLAIMS.iloc[:0], 3.0, "file"))
     diff.to_csv(tmp_path / "diff.csv", index=False)
-    with pytest.raises(ReproError, match=r"paper, T1: differs, expected match$"):
+    with pytest.raises(ReproError) as error:
         verify(tmp_path / "diff.csv")
+    assert str(error.value).endswith(
+        "paper, T1: differs, expected match (predicted, margin +14.1 standard errors)"
+    )
     diff[1:].to_csv(tmp_path / "diff.csv", index=False)
     verify(tmp_path / "diff.csv")
 

@@ -184,11 +184,12 @@ def measured_files(paper):
 
 
 def asked_for(key):
-    """What --config says of a figure, or of a log recorded elsewhere."""
+    """What --config says of a figure, of root seeds, or of a log recorded elsewhere."""
     value = getattr(RUN, key)
     if value is None:
         of_log = "log=PATH study=STUDY point=POINT"
-        usage = {"figure": "figure=PAPER/FIGURE"}.get(key, of_log)
+        usages = {"figure": "figure=PAPER/FIGURE", "seeds": 'seeds="1 2 3"'}
+        usage = usages.get(key, of_log)
         sys.exit(f"error: --config: '{key}' is missing; give {usage}")
     return value
 

@@ -81,6 +81,7 @@ def figure_inputs(names):
         if needed.get("leaderboard"):
             found += [LAYOUT.page("leaderboard.csv")]
         if needed.get("diff"):
-            found += [LAYOUT.page("diff.csv"), *(LAYOUT.claims(paper) for paper in JUDGED)]
+            found += [LAYOUT.page("diff.csv"), LAYOUT.page("robustness.csv")]
+            found += [LAYOUT.claims(paper) for paper in JUDGED]
         files |= dict.fromkeys(found)
     return list(files)

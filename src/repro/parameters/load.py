@@ -57,6 +57,8 @@ class Paper(NamedTuple):
     def described(self, study: str) -> dict[str, Any]:
         """What jobs get to know of a study besides its files: plain values."""
         return {
+            "paper": self.name,
+            "authors": self.authors,
             "analysis": self.analysis[study],
             "ranking": self.ranking[study].plain(),
             "points": {
@@ -64,6 +66,9 @@ class Paper(NamedTuple):
                 for name, point in self.studies[study].items()
             },
         }
+
+
+SEEDS = r"^[0-9]+( +[0-9]+)*$"
 
 
 class Run(Values):
@@ -90,6 +95,11 @@ class Run(Values):
             str | dict[str, Any],
             Field(description="values of the log's own, or a YAML file of them"),
         ]
+        | None
+    ) = None
+    seeds: (
+        Annotated[str, Field(pattern=SEEDS, description="root seeds to run anew")]
+        | Annotated[int, Field(ge=0, description="the only one")]
         | None
     ) = None
     figure: Annotated[str, Field(description="figure to draw, as PAPER/FIGURE")] | None = None

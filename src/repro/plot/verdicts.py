@@ -1,4 +1,7 @@
-"""Verdicts at a glance: every published value and every claim of a paper, and the tally of all."""
+"""Verdicts at a glance: every published value and every comparison behind the claims of a paper."""
+
+from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -6,97 +9,132 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from repro.plot import style
+from repro.statistics.paired import independent_error
 from repro.tables.results import Results
-from repro.verdicts.published import VERDICTS
+from repro.verdicts.published import CLASSES
 
-COLOURS = {
-    "match": "#009E73",
-    "holds": "#009E73",
-    "undecided": "#E69F00",
-    "differs": "#D55E00",
-    "fails": "#D55E00",
-}
-LARGEST = 12.0  # standard errors drawn; what is farther is drawn at the edge
+GOOD, OPEN, BAD = "#009E73", "#E69F00", "#D55E00"
+COLOURS = {"match": GOOD, "holds": GOOD, "undecided": OPEN, "differs": BAD, "fails": BAD}
+LARGEST = 12.0  # standard errors drawn; what is farther is an arrow at the edge
+WIDTH, ROW = 7.7, 0.185  # inches: of a picture as pages show it, and of a row
+ACCEPTED = "0.88"  # grey of where a value matches, or a comparison is undecided
 
 
 def verdicts(results: Results, paper: str) -> Figure:
-    """Left: ours over published with both error bars. Right: the comparisons of each claim."""
+    """Above: values in standard errors from the printed ones. Below: comparisons of the claims.
+
+    Exact values, and numbers against a bound, have no standard error to scale by: they are written.
+    """
     diff = results.diff()
     diff = diff.loc[diff["paper"] == paper]
     values, claims = diff.loc[diff["kind"] == "value"], diff.loc[diff["kind"] == "claim"]
-    exact = (values["their_error"] == 0) & (values["verdict"] == "match")
-    shown = values.loc[~exact]
-    rows = max(len(shown), len(claims), 4)
-    shares = {"width_ratios": [1, 1.3] if len(shown) > 4 else [1, 2]}
-    size = (12.5, 1.4 + 0.24 * rows)
-    if len(shown):
-        drawn, (left, right) = style.figure(1, 2, size=size, gridspec_kw=shares)
-        _draw_values(left, shown, list(exact).count(True))
-    else:
-        drawn, right = style.figure(size=size)
-    _draw_claims(right, claims, results.claims(paper), results.tolerance)
+    exact = ~np.isfinite(values["z"].to_numpy())
+    panels = [values.loc[~exact], claims]
+    panels = [rows for rows in panels if len(rows)] or [claims]
+    heights = [len(list(grouped(rows))) for rows in panels]
+    size = (WIDTH, ROW * sum(heights) + 0.85 * len(panels))
+    drawn, grid = style.figure(
+        len(panels), 1, size=size, squeeze=False, gridspec_kw={"height_ratios": heights}
+    )
+    for axes, rows in zip(grid.flat, panels, strict=True):
+        if rows is claims:
+            _draw_claims(axes, rows, results.claims(paper), results.tolerance)
+        else:
+            _draw_values(axes, rows)
+    if exact.any():
+        drawn.suptitle(_exact(values.loc[exact]), fontsize=8.5, x=0.01, ha="left")
     return drawn
 
 
-def _draw_values(axes: Axes, values: pd.DataFrame, exact: int) -> None:
-    place = np.arange(len(values))
-    published = values["published"].to_numpy()
-    colours = [COLOURS[verdict] for verdict in values["verdict"]]
-    theirs = values["their_error"].to_numpy() / published
-    axes.barh(place, 2 * theirs, left=1 - theirs, height=0.7, color="0.85", lw=0)
-    ratio, error = values["ours"].to_numpy() / published, values["mcse"].to_numpy() / published
-    axes.hlines(place, ratio - error, ratio + error, colors=colours)
-    axes.scatter(ratio, place, color=colours, s=18, zorder=3)
-    axes.axvline(1, color="black", lw=1)
-    also = f"; {exact} exact ones match" if exact else ""
-    axes.set(
-        yticks=place,
-        yticklabels=values["item"],
-        xlabel="ours / published (grey: their error)",
-        title=f"Published values{also}",
-        ylim=(max(len(values), 4) - 0.5, -0.5),
+def grouped(rows: pd.DataFrame) -> Iterator[tuple[str, dict[Any, Any] | None]]:
+    """Lines of a panel, top down: the name of a class of evidence, then each of its rows."""
+    for name in CLASSES:
+        of_class = rows.loc[rows["class"] == name].to_dict("records")
+        if of_class:
+            yield name, None
+        for row in of_class:
+            yield in_words(row["item"]), row
+
+
+def in_words(item: str) -> str:
+    """A claim's name in words; the names of values are words already."""
+    return item if " " in item else item.replace("-", " ")
+
+
+def _exact(values: pd.DataFrame) -> str:
+    """Values without a Monte Carlo error, in a line."""
+    counts = values["verdict"].value_counts()
+    text = f"Exact values: {', '.join(f'{count} {verdict}' for verdict, count in counts.items())}"
+    for row in values.loc[values["verdict"] == "differs"].to_dict("records"):
+        text += f"\n{row['item']}: printed {row['published']:g}, ours {row['ours']:g}"
+    return text
+
+
+def _draw_values(axes: Axes, values: pd.DataFrame) -> None:
+    lines = list(grouped(values))
+    for place, (_, row) in enumerate(lines):
+        if row is not None:
+            accepted = row["allowed"] / independent_error(row["mcse"], row["their_error"])
+            axes.barh(place, 2 * accepted, left=-accepted, height=1.0, color=ACCEPTED, lw=0)
+            face = "white" if row["on_edge"] else COLOURS[row["verdict"]]
+            _mark(axes, row["z"], place, COLOURS[row["verdict"]], face)
+    _finish(
+        axes,
+        lines,
+        "Published values (hollow: another root seed may decide otherwise)",
+        "ours - published, in standard errors of both (grey: match)",
     )
 
 
 def _draw_claims(axes: Axes, claims: pd.DataFrame, parts: pd.DataFrame, tolerance: float) -> None:
-    names = list(claims["item"])
-    for place, (item, verdict) in enumerate(zip(names, claims["verdict"], strict=True)):
-        part = parts.loc[parts["item"] == item]
-        with np.errstate(divide="ignore", invalid="ignore"):
-            z = part["difference"].to_numpy() / part["mcse"].to_numpy()
-        z = np.nan_to_num(np.clip(-z, -LARGEST, LARGEST))
-        axes.plot(z, np.full(len(z), place), "|", color=COLOURS[verdict], ms=11, mew=1.6)
-    axes.axvspan(-tolerance, tolerance, color="0.9", lw=0, zorder=0)
-    axes.axvline(0, color="black", lw=1)
-    axes.set(
-        yticks=np.arange(len(names)),
-        yticklabels=[f"{n}: {v}" for n, v in zip(names, claims["verdict"], strict=True)],
-        xlim=(-LARGEST - 0.5, LARGEST + 0.5),
-        xlabel=f"in favour, in standard errors (grey: within {tolerance:g})",
-        title="Claims, every comparison",
+    lines = list(grouped(claims))
+    axes.axvspan(-tolerance, tolerance, color=ACCEPTED, lw=0, zorder=0)
+    for place, (_, row) in enumerate(lines):
+        if row is None:
+            continue
+        of_claim = parts.loc[parts["item"] == row["item"]]
+        finite = np.isfinite(of_claim["margin"].to_numpy())
+        for part in of_claim.loc[finite].to_dict("records"):
+            colour = COLOURS[part["verdict"]]
+            _mark(axes, -part["margin"], place, colour, colour, "|", size=7)
+        counts = of_claim.loc[~finite, "verdict"].value_counts()
+        text = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
+        axes.annotate(
+            f"bounds: {text}" if text else "",
+            (LARGEST + 0.9, place),
+            va="center",
+            fontsize=6.5,
+            annotation_clip=False,
+        )
+    _finish(
+        axes,
+        lines,
+        "Claims, every comparison",
+        "in favour, in standard errors (grey: undecided; right: numbers against bounds)",
     )
-    axes.invert_yaxis()
 
 
-def tally(results: Results) -> Figure:
-    """How many published values and claims of each paper reproduce."""
-    diff = results.diff()
-    papers = list(dict.fromkeys(diff["paper"]))
-    drawn, grid = style.figure(1, 2, size=(9.0, 1.3 + 0.5 * len(papers)), sharey=True)
-    for axes, (kind, kinds) in zip(grid, VERDICTS.items(), strict=True):
-        rows = diff.loc[diff["kind"] == kind]
-        left = np.zeros(len(papers))
-        for verdict in kinds:
-            of_verdict = list(rows.loc[rows["verdict"] == verdict, "paper"])
-            counts = np.array([of_verdict.count(paper) for paper in papers])
-            hatch = "//" if verdict == "undecided" else None
-            axes.barh(papers, counts, left=left, color=COLOURS[verdict], hatch=hatch, label=verdict)
-            for row, (count, start) in enumerate(zip(counts, left, strict=True)):
-                if count:
-                    axes.annotate(f"{count:g}", (start + count / 2, row), ha="center", va="center")
-            left += counts
-        axes.set(title=f"published {kind}s")
-        axes.legend(fontsize=8, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.15))
-        axes.grid(False)
-    grid[0].invert_yaxis()
-    return drawn
+def _mark(
+    axes: Axes, z: float, place: int, colour: str, face: str, marker: str = "o", size: float = 5
+) -> None:
+    """One number; what is farther than `LARGEST` is an arrow that points there."""
+    if abs(z) > LARGEST:
+        marker, size = (">" if z > 0 else "<"), 5
+    look: dict[str, Any] = dict(color=colour, markerfacecolor=face, ms=size, mew=1.3, clip_on=False)
+    axes.plot(np.clip(z, -LARGEST, LARGEST), place, marker, **look)
+
+
+def _finish(
+    axes: Axes, lines: Sequence[tuple[str, dict[Any, Any] | None]], title: str, across: str
+) -> None:
+    axes.axvline(0, color="black", lw=0.8)
+    words = [name if row is None else f"{name}: {row['verdict']}" for name, row in lines]
+    axes.set_yticks(np.arange(len(lines)), words, fontsize=7)
+    for label, (_, row) in zip(axes.get_yticklabels(), lines, strict=True):
+        label.set(color="black" if row is None else COLOURS[row["verdict"]])
+        label.set_fontweight("bold" if row is None else "normal")
+    axes.tick_params(axis="y", length=0)
+    axes.set(xlim=(-LARGEST - 0.3, LARGEST + 0.3), ylim=(len(lines) - 0.4, -0.6))
+    axes.set_title(title, fontsize=9)
+    axes.set_xlabel(across, fontsize=8)
+    axes.grid(False, axis="y")

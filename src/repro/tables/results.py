@@ -171,6 +171,14 @@ class Results:
         """Published values and claims of all papers beside ours, with their verdicts."""
         return pd.read_csv(self.layout.page("diff.csv"))
 
+    def robustness(self) -> pd.DataFrame:
+        """The verdicts of all papers under every reading."""
+        return pd.read_csv(self.layout.page("robustness.csv"))
+
+    def authors(self) -> dict[str, str]:
+        """Authors of the papers, by the papers' names."""
+        return {of_study["paper"]: of_study["authors"] for of_study in self._studies.values()}
+
     def claims(self, paper: str) -> pd.DataFrame:
         """Every comparison that the claims of a paper are made of."""
         return pd.read_csv(self.layout.claims(paper))

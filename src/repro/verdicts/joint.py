@@ -42,14 +42,12 @@ def joint_test(
 
     The covariance of the differences is that of our cells by the jackknife, the same at the paper's
     number of trials, and that of the rounding. As it is estimated from our trials, the p-value is
-    that of Hotelling's T^2; with many trials it is that of chi-square. Raises ReproError if there
-    are not more trials than cells.
+    that of Hotelling's T^2; with many trials it is that of chi-square. It is NaN if there are not
+    more trials than cells.
     """
     from scipy.special import fdtrc  # only here, as it takes long to import
 
     trials, cells = left_out.shape
-    if trials <= cells:
-        raise ReproError(f"{cells} cells need more than {cells} trials, not {trials}")
     ours = left_out.mean(axis=0)
     scatter = left_out - ours
     covariance = (trials - 1) / trials * (scatter.T @ scatter)
@@ -57,8 +55,9 @@ def joint_test(
     total = covariance + theirs + np.diag(10.0 ** (-2 * digits) / 12)
     difference = ours - published
     chi_square = float(difference @ np.linalg.solve(total, difference))
-    scaled = chi_square * (trials - cells) / (cells * (trials - 1))
-    p_value = float(fdtrc(cells, trials - cells, scaled))
+    free = trials - cells
+    scaled = chi_square * free / (cells * (trials - 1))
+    p_value = float(fdtrc(cells, free, scaled)) if free > 0 else np.nan
     return Joint(chi_square, p_value, difference / np.sqrt(np.diag(total)))
 
 

@@ -193,7 +193,11 @@ def verify(csv: str | Path) -> None:
     if surprises:
         named = "; ".join(
             f"{row['paper']}, {row['item']}: {row['verdict']}, expected {row['expect']} "
-            f"({row['class']}, margin {row['margin']:+.1f} standard errors)"
+            f"({row['class']}, {_margin(row['margin'])})"
             for row in surprises
         )
         raise ReproError(f"{csv}: {named}")
+
+
+def _margin(margin: float) -> str:
+    return f"margin {margin:+.1f} standard errors" if np.isfinite(margin) else "exact"

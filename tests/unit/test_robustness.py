@@ -1,0 +1,161 @@
+"""Verdicts under other readings, from runs of which the order is known."""
+
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from repro.layout import Layout
+from repro.parameters.point_names import batch_of
+from repro.statistics.runs import Runs, RunsWriter
+from repro.tables.results import Results
+from repro.tables.under_reading import NotRunError, UnderReading
+from repro.verdicts import robustness
+from repro.verdicts.claims import Claim, smaller
+from repro.verdicts.published import COLUMNS
+from repro.verdicts.robustness import judge
+from repro.verdicts.standing import standing
+
+STUDY, TRIALS = "deadband", {"base": 60, "far": 60, "reading-a": 40, "reading-b@far": 30}
+# Sizes of the errors: under the reading a the order of the filters is the other one.
+SIZE = {
+    "base": {"mapf": 1.0, "mpf": 2.0},
+    "far": {"mapf": 1.0, "mpf": 2.0},
+    "reading-a": {"mapf": 2.0, "mpf": 1.0},
+    "reading-b@far": {"mapf": 1.0},
+}
+READINGS = {
+    STUDY: {
+        "reading-a": {"points": {"base": "reading-a"}, "changes": {"speed": 2}},
+        "reading-b": {"points": {"far": "reading-b@far"}, "changes": {"mapf.particles": 9}},
+    }
+}
+
+
+@pytest.fixture
+def results(tmp_path):
+    rng = np.random.default_rng(0)
+    batches: dict[tuple[str, str], list[str]] = {}
+    for point, sizes in SIZE.items():
+        for filter_ in sizes:
+            batches.setdefault((batch_of(point), filter_), []).append(point)
+    for (batch, filter_), points in batches.items():
+        file = Path(Layout(tmp_path).run(STUDY, batch, filter_, 0))
+        file.parent.mkdir(parents=True)
+        with file.open("wb") as stream, RunsWriter(stream) as writer:
+            for point in points:
+                error = np.full((TRIALS[point], 3, 2), SIZE[point][filter_])
+                error *= rng.uniform(0.9, 1.1, (TRIALS[point], 1, 1))
+                writer.add(point, Runs(error, None, np.zeros(len(error)), recorded={}))
+    table = Path(Layout(tmp_path).table(STUDY))
+    table.parent.mkdir()
+    rows = [
+        {"study": STUDY, "point": point, "filter": filter_, "metric": "rmse", "component": "x"}
+        | {"value": size, "mcse": 0.01, "trials": TRIALS[point]}
+        for point, sizes in SIZE.items()
+        for filter_, size in sizes.items()
+    ]
+    pd.DataFrame(rows).to_csv(table, index=False)
+    catalogue = {STUDY: {point: [*sizes] for point, sizes in SIZE.items()}}
+    return Results(tmp_path, catalogue, 1, {}, [], tolerance=3.0)
+
+
+def size(results, point, filter_):
+    return results.each(STUDY, point, filter_, lambda runs: np.abs(runs.error).mean(axis=(1, 2)))
+
+
+def compared(point):
+    return lambda results: [
+        smaller("mapf - mpf", size(results, point, "mapf"), size(results, point, "mpf"))
+    ]
+
+
+def of_every_point(results):
+    """Of all points there are, the first against a bound; nothing if there is none."""
+    first, *_ = results.catalogue[STUDY]
+    return [smaller("mapf - 1.5", size(results, first, "mapf"), np.array([1.5]))]
+
+
+CLAIMS = [
+    Claim("base-order", "", compared("base")),
+    Claim("far-order", "", compared("far")),
+    Claim("small", "", of_every_point),
+    Claim("of-no-run", "", lambda results: [smaller("", np.zeros(2), np.ones(2))]),
+    Claim("of-nothing", "", lambda results: []),
+]
+
+
+@pytest.fixture
+def judged(results, tmp_path, monkeypatch):
+    """The verdicts under the readings, by item and reading."""
+    monkeypatch.setattr(robustness, "import_module", lambda name: SimpleNamespace(CLAIMS=CLAIMS))
+    value = dict.fromkeys(COLUMNS, "") | {"item": "T1", "study": STUDY, "point": "base"}
+    value |= {"filter": "mapf", "metric": "rmse", "component": "x", "value": "1.0", "digits": "1"}
+    value |= {"kind": "value", "class": "predicted", "trials": "60", "expect": "match"}
+    pd.DataFrame([value], columns=COLUMNS).to_csv(tmp_path / "published.csv", index=False)
+    judge(results, "paper", READINGS, tmp_path / "published.csv", tmp_path / "judged.csv")
+    return pd.read_csv(tmp_path / "judged.csv").set_index(["item", "reading"])
+
+
+def test_each_claim_and_value_is_judged_where_the_reading_is(judged):
+    verdicts = judged["verdict"].to_dict()
+    assert verdicts == {
+        ("T1", "reading-a"): "differs",
+        ("base-order", "reading-a"): "fails",
+        ("far-order", "reading-a"): "not run",
+        ("small", "reading-a"): "fails",
+        ("of-nothing", "reading-a"): "not run",
+        ("base-order", "reading-b"): "not run",
+        ("far-order", "reading-b"): "not run",  # mpf does not run there
+        ("small", "reading-b"): "holds",
+        ("of-nothing", "reading-b"): "not run",
+    }
+
+
+def test_margin_trials_and_changes_are_those_of_the_reading(judged):
+    row = judged.loc[("base-order", "reading-a")]
+    assert (row["trials"], row["points"], row["changes"]) == (40, "base", "speed = 2")
+    assert row["margin"] > 50
+    assert judged.loc[("small", "reading-b"), "margin"] < -20
+
+
+def test_a_reading_of_filter_settings_concerns_the_claims_on_these_filters(
+    results, tmp_path, monkeypatch
+):
+    others = {STUDY: {"reading-a": READINGS[STUDY]["reading-a"] | {"changes": {"emvf.x": 1}}}}
+    claims = SimpleNamespace(CLAIMS=CLAIMS[:1])
+    monkeypatch.setattr(robustness, "import_module", lambda name: claims)
+    pd.DataFrame(columns=COLUMNS).to_csv(tmp_path / "published.csv", index=False)
+    judge(results, "paper", others, tmp_path / "published.csv", tmp_path / "judged.csv")
+    assert pd.read_csv(tmp_path / "judged.csv").empty
+
+
+def test_under_a_reading_only_what_is_read_so_is_there(results):
+    view = UnderReading(results, {STUDY: {"far": "reading-b@far"}})
+    assert list(view.catalogue[STUDY]) == ["far"] and view.filters(STUDY, "far") == ["mapf"]
+    assert len(size(view, "far", "mapf")) == TRIALS["reading-b@far"]
+    assert view.used == {(STUDY, "far", "mapf"): TRIALS["reading-b@far"]}
+    assert view.table(STUDY)["point"].tolist() == ["far"]
+    for point, filter_ in (("base", "mapf"), ("far", "mpf")):
+        with pytest.raises(NotRunError):
+            view.in_shards(STUDY, point, filter_)
+    assert len(size(results, "far", "mapf")) == TRIALS["far"]  # the results stay as they are
+
+
+@pytest.mark.parametrize(
+    ("verdict", "under", "stands"),
+    [
+        ("holds", ["holds", "holds", "not run"], "robust (2 readings)"),
+        ("holds", ["holds", "undecided"], "conditional on b"),
+        ("holds", ["undecided", "fails"], "reversed under b"),
+        ("undecided", ["undecided", "fails"], "conditional on b"),
+        ("match", ["match", "differs"], "reversed under b"),
+        ("match", ["not run"], ""),
+        ("match", [], ""),
+    ],
+)
+def test_standing(verdict, under, stands):
+    readings = pd.DataFrame({"reading": [f"reading-{n}" for n in "abc"[: len(under)]]})
+    assert standing(verdict, readings.assign(verdict=under)) == stands
