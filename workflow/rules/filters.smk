@@ -60,7 +60,13 @@ use rule run_filter as ekf with:
         runs(
             "ekf",
             studies=["wsn_tracking", "linear_losses", "radar", "quadrotor"],
-            skip=["particles=*", "bkf_2-*", "rbpf-*", "reading-*@n0-*", "reading-*@n?-arrival=0.8*"],
+            skip=[
+                "particles=*",
+                "bkf_2-*",
+                "rbpf-*",
+                "reading-*@n0-*",
+                "reading-*@n?-arrival=0.8*",
+            ],
         ),
 
 
