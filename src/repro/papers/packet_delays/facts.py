@@ -109,12 +109,16 @@ def of_table_2(results: Results) -> Numbers:
     bounds = table_2(results)
     rows = {n: [mean_error(results, n, p) for p in arrivals] for n, arrivals in bounds.items()}
     cells = [cell for row in rows.values() for cell in row]
-    theirs = [100 * cell.std(ddof=1) / THEIR_TRIALS**0.5 / cell.mean() for cell in cells]
+    of_both = [(1 / len(cell) + 1 / THEIR_TRIALS) ** 0.5 * cell.std(ddof=1) for cell in cells]
+    allowed = [
+        100 * results.tolerance * float(error / cell.mean())
+        for error, cell in zip(of_both, cells, strict=True)
+    ]
     columns = [metrics.mean_error(high - low) for low, high in pairwise(rows[max(rows)])]
     beside = [metrics.mean_error(np.subtract(*of_p)) for of_p in zip(rows[0], rows[1], strict=True)]
     suspect = results.parameters(TRACKING, tracking_point(0, bounds[0][-1]))
     no_loss = suspect.arrival_probability**suspect.steps
-    return _extremes("their_error_percent", [float(of_cell) for of_cell in theirs]) | {
+    return _extremes("match_allows_percent", allowed) | {
         "next_column_undecided": results.tolerance * float(max(columns)),
         "next_row_undecided": results.tolerance * float(max(beside)),
         "without_miss_percent": 100 * no_loss,

@@ -87,7 +87,8 @@ def omvf_equals_kalman_without_losses(results: Results) -> list[Part]:
 def emvf_equals_ekf_without_losses(results: Results) -> list[Part]:
     first, second, tracked = compared(results, (1, "emvf"), (1, "ekf"))
     relative = results.analysis(TRACKING).equal_within
-    return [equal("errors of the runs that track", first[tracked], second[tracked], relative)]
+    name = f"errors of the {tracked.sum()} of {len(tracked)} runs that track"
+    return [equal(name, first[tracked], second[tracked], relative)]
 
 
 @claim(
