@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from repro.papers.packet_delays.points import TRACKING, tracking_point
+from repro.parameters.point_names import OF
 from repro.plot import style
 from repro.tables.results import Results
 
@@ -14,7 +15,7 @@ CAPTION = (
     "published value. Every filter: figures/studies/wsn_tracking."
 )
 BASE = tracking_point(2, "0.9")  # the point that each reading changes in one respect
-BEFORE = "reading-"
+BEFORE, OF_BASE = "reading-", f"{OF}{BASE}"
 
 
 def draw(results: Results) -> Figure:
@@ -24,6 +25,7 @@ def draw(results: Results) -> Figure:
     base = table[table["point"] == BASE]
     readings = table[
         table["point"].str.startswith(BEFORE)
+        & table["point"].str.endswith(OF_BASE)
         & ((table["filter"] == "emvf_realised") == table["point"].str.contains("indicator_of"))
     ]
     rows = [*base.itertuples(), *readings.itertuples()]
@@ -44,7 +46,10 @@ def draw(results: Results) -> Figure:
         axes.errorbar(row.value, place, xerr=row.mcse, fmt="o", color=style.COLOURS[0], capsize=3)
         axes.plot(row.median, place, "x", color=style.COLOURS[1])
     labels = [
-        names[row.filter] if row.point == BASE else row.point.removeprefix(BEFORE) for row in rows
+        names[row.filter]
+        if row.point == BASE
+        else row.point.removeprefix(BEFORE).removesuffix(OF_BASE)
+        for row in rows
     ]
     axes.plot([], [], "o", color=style.COLOURS[0], label="EMVF, mean ± standard error")
     axes.plot([], [], "x", color=style.COLOURS[1], label="median")

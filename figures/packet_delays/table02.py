@@ -66,7 +66,7 @@ def draw(results: Results) -> Figure:
                     label=style.label(filter_),
                 )
                 axes.plot(beside, rows["median"], "x", color=look["color"])
-        printed = [f"as-printed-{point}" for point in points]
+        printed = [f"reading-as_printed@{point}" for point in points]
         known = [i for i, point in enumerate(printed) if point in table.index]
         axes.plot(
             place[known],

@@ -93,6 +93,6 @@ def test_points_are_found_by_their_names(tmp_path):
 
 
 def test_a_fixed_layout_has_every_sensor():
-    parameters = points()["wsn_tracking"]["reading-layout=fixed"].parameters
+    parameters = points()["wsn_tracking"]["reading-layout=fixed@n2-arrival=0.9"].parameters
     with pytest.raises(ParameterError, match="fixed_layout has 20 positions; sensors asks for 19"):
         type(parameters).checked({**parameters.plain(), "sensors": 19}, "test")

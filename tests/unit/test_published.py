@@ -123,7 +123,7 @@ JOINT = pd.DataFrame(
 READINGS = pd.DataFrame(
     [("T1", "reading-a", "match"), ("T1", "reading-b", "not run"), ("C1", "reading-a", "fails")],
     columns=["item", "reading", "verdict"],
-)
+).assign(margin=5.0)
 
 
 def test_rows_of_the_diff_and_the_tally():

@@ -99,14 +99,20 @@ class Project:
         rules.write_text(re.sub(others, "", rules.read_text(), flags=re.DOTALL | re.MULTILINE))
 
     def judge_only(self, paper: str, *beginnings: str) -> None:
-        """Leave the diff only the items of one paper that begin so, claims among them."""
+        """Leave the diff only the items of one paper that begin so, claims among them.
+
+        Its facts, and its tables that are tested as a whole, need more points than a few.
+        """
         for file in (self.folder / "params/published").glob("*.csv"):
             if file.stem == paper:
                 head, *rows = file.read_text().splitlines(keepends=True)
                 file.write_text(head + "".join(r for r in rows if r.startswith(beginnings)))
             else:
                 file.unlink()
-        claims = self.folder / f"src/repro/papers/{paper}/claims/__init__.py"
+        module = self.folder / f"src/repro/papers/{paper}"
+        for needs_all in ("facts.py", "tables.py"):
+            (module / needs_all).unlink(missing_ok=True)
+        claims = module / "claims/__init__.py"
         kept = f"CLAIMS[:] = [one for one in CLAIMS if one.item.startswith({beginnings})]\n"
         claims.write_text(f"{claims.read_text()}\n\n{kept}")
 

@@ -27,27 +27,27 @@ use rule run_filter as omvf with:
 
 use rule run_filter as nahi with:
     output:
-        runs("nahi", studies=["linear_delays"]),
+        runs("nahi", studies=["linear_delays"], skip=["*constant-delay"]),
 
 
 use rule run_filter as intermittent_kf with:
     output:
-        runs("intermittent_kf", studies=["linear_delays"]),
+        runs("intermittent_kf", studies=["linear_delays"], skip=["*constant-delay"]),
 
 
 use rule run_filter as sun with:
     output:
-        runs("sun", studies=["linear_delays"]),
+        runs("sun", studies=["linear_delays"], skip=["*constant-delay"]),
 
 
 use rule run_filter as genie with:
     output:
-        runs("genie", studies=["linear_delays"]),
+        runs("genie", studies=["linear_delays"], skip=["reading-*@arrival=*"]),
 
 
 use rule run_filter as best_in_form with:
     output:
-        runs("best_in_form", studies=["linear_delays"]),
+        runs("best_in_form", studies=["linear_delays"], skip=["*constant-delay", "reading-*@*"]),
 
 
 use rule run_filter as emvf with:
@@ -60,7 +60,13 @@ use rule run_filter as ekf with:
         runs(
             "ekf",
             studies=["wsn_tracking", "linear_losses", "radar", "quadrotor"],
-            skip=["particles=*", "bkf_2-*", "rbpf-*"],
+            skip=[
+                "particles=*",
+                "bkf_2-*",
+                "rbpf-*",
+                "reading-*@n0-*",
+                "reading-*@n?-arrival=0.8*",
+            ],
         ),
 
 
@@ -69,7 +75,7 @@ use rule run_filter as iekf with:
         runs(
             "iekf",
             studies=["wsn_tracking", "linear_losses", "radar", "quadrotor"],
-            skip=["particles=*", "bkf_2-*", "rbpf-*"],
+            skip=["particles=*", "bkf_2-*", "rbpf-*", "reading-*@n[0-9]-*"],
         ),
 
 

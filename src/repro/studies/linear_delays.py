@@ -45,10 +45,16 @@ class Parameters(PointParameters):
 
 
 class Analysis(Values):
-    """When two filters count as equal."""
+    """When two filters, and what the paper derives and what it is, count as equal."""
 
     equal_within: Annotated[
         Positive, Field(description="difference of equal estimates, relative to the errors")
+    ]
+    orthogonal_within: Annotated[
+        Positive, Field(description="correlation of an error and a y that count as orthogonal")
+    ]
+    covariance_within: Annotated[
+        Positive, Field(description="share by which a claimed error variance may be off")
     ]
 
 

@@ -93,6 +93,9 @@ class Analysis(Values):
     equal_within: Annotated[
         Positive, Field(description="difference of equal estimates, relative to the errors")
     ]
+    much_higher: Annotated[
+        float, Field(gt=1, description="factor by which an error that is much higher is above")
+    ]
     figure_6_missed_step: Annotated[
         int, Field(ge=1, description="step k at which Fig. 6 has its missed packet")
     ]

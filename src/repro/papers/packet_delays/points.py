@@ -6,6 +6,7 @@ from repro.logs import Log
 from repro.tables.results import Results
 
 LINEAR, TRACKING = "linear_delays", "wsn_tracking"
+CONSTANT_DELAY = "constant-delay"  # of LINEAR: p = 0
 # Filters of the redrawn figures: the paper's and those that it compares, and as yardsticks a genie
 # and the best filter of the OMVF's form (Figs. 1-2), and the EKF that knows the arrivals (3-10).
 FIGURES_1_2 = ("omvf", "nahi", "intermittent_kf", "sun", "genie", "best_in_form")

@@ -20,13 +20,13 @@ def of_each_run(
     return numbers
 
 
-def mean_error(results: Results, bound: int, arrival: str) -> np.ndarray:
-    """Mean position error of each run of the EMVF, whose mean is SAEE, (trials,), in m."""
+def mean_error(results: Results, bound: int, arrival: str, filter_: str = "emvf") -> np.ndarray:
+    """Mean position error of each run, whose mean is SAEE, (trials,), in m."""
     return of_each_run(
         results,
         TRACKING,
         tracking_point(bound, arrival),
-        "emvf",
+        filter_,
         lambda runs: wsn_tracking.position_error(runs)[:, 1:].mean(axis=1),
     )
 
@@ -40,6 +40,22 @@ def largest_error(results: Results, bound: int, arrival: str, filter_: str) -> n
         filter_,
         lambda runs: wsn_tracking.position_error(runs)[:, 1:].max(axis=1),
     )
+
+
+def largest_before_and_after_miss(
+    results: Results, bound: int, arrival: str, filter_: str
+) -> tuple[np.ndarray, np.ndarray]:
+    """Largest position errors before the only missed packet, and from its step on, in m.
+
+    Of the runs that miss one packet, later than the first: (such runs,) each.
+    """
+    point = tracking_point(bound, arrival)
+    error = wsn_tracking.position_error(results.runs(TRACKING, point, filter_))[:, 1:]
+    missed = results.each_log(TRACKING, point, missed_packets)
+    chosen = (missed.sum(axis=1) == 1) & ~missed[:, 0]
+    error, after = error[chosen], np.maximum.accumulate(missed[chosen], axis=1)
+    before = np.where(after, 0.0, error).max(axis=1, initial=0.0)
+    return before, np.where(after, error, 0.0).max(axis=1, initial=0.0)
 
 
 def number_missed(results: Results, bound: int, arrival: str) -> np.ndarray:
