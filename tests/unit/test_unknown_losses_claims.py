@@ -21,9 +21,9 @@ def test_a_share_of_right_inferences_leaves_out_the_start():
 def test_a_difference_of_deviations_and_its_jackknife_error():
     first, second = RNG.gamma(2.0, size=40), RNG.gamma(2.0, size=40) + 1.0
     part = inference.deviation("name", first, second)
-    left = [np.delete(first, i).std() - np.delete(second, i).std() for i in range(40)]
+    left = np.array([np.delete(first, i).std() - np.delete(second, i).std() for i in range(40)])
     assert part.difference == pytest.approx(first.std() - second.std())
-    assert part.mcse == pytest.approx(np.sqrt(39 / 40 * ((left - np.mean(left)) ** 2).sum()))
+    assert part.mcse == pytest.approx(np.sqrt(39 / 40 * ((left - left.mean()) ** 2).sum()))
 
 
 @pytest.mark.parametrize(("fast", "factor", "verdict"), [(4.0, 2, "holds"), (6.0, 2, "fails")])

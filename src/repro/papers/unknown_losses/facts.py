@@ -1,13 +1,13 @@
 """Numbers that the reasons for the verdicts on unknown_losses state."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 
 from repro.papers.unknown_losses.claims import inference, linear_losses, particles, radar
 from repro.papers.unknown_losses.points import PROPOSED, particle_sweeps, swept
 from repro.statistics import metrics
 from repro.studies import quadrotor
 from repro.tables.results import Results
-from repro.verdicts.claims import Part
+from repro.verdicts.claims import Part, Test
 from repro.verdicts.facts import Fact
 
 IN_PERCENT = 100.0
@@ -30,7 +30,7 @@ def gains_over_kf(results: Results) -> Mapping[str, float]:
     gap = {p: kf[p] - of["rbpf"][p] for p in kf}
     low, high = sorted(kf)[-2:]
     peaks = [max(kf, key=lambda p, sums=sums: kf[p] / sums[p]) for sums in of.values()]
-    parts = linear_losses.difference_grows(results)
+    parts = list(linear_losses.difference_grows(results))
     return {
         "much_better_by": factor,
         "much_better_from_p": min(p for p in kf if all(least[q] > factor for q in kf if q >= p)),
@@ -85,7 +85,7 @@ def inferred(results: Results) -> Mapping[str, float]:
 
 def detectable(results: Results) -> Mapping[str, float]:
     """The largest difference that the undecided comparisons of a claim could not decide."""
-    tests: dict[str, Callable[[Results], list[Part]]] = {
+    tests: dict[str, Test] = {
         "stable_linear": inference.bkf_2_is_more_stable,
         "stable_radar": inference.bkf_2_loses_fewer,
         "rbpf_bkf": radar.rbpf_beats_bkf_at_every_p,
@@ -96,7 +96,7 @@ def detectable(results: Results) -> Mapping[str, float]:
     }
     numbers: dict[str, float] = {}
     for name, test in tests.items():
-        parts = test(results)
+        parts = list(test(results))
         open_ = [part for part in parts if part.verdict(results.tolerance) == "undecided"]
         errors = [results.tolerance * part.mcse for part in open_]
         numbers |= {f"{name}_comparisons": len(parts), f"{name}_open": len(open_)}
