@@ -59,8 +59,17 @@ use rule run_filter as ekf with:
     output:
         runs(
             "ekf",
-            studies=["wsn_tracking", "linear_losses", "radar", "quadrotor"],
+            studies=["wsn_tracking", "linear_losses", "quadrotor"],
             skip=["particles=*", "*@particles=*", "pooled-*"],
+        ),
+
+
+use rule run_filter as ekf_on_radar with:
+    output:
+        runs(
+            "ekf",
+            studies=["radar"],
+            points=["loss=*", "poor-*", "markov-*", "reading-*@loss=0.5"],
         ),
 
 
@@ -68,9 +77,14 @@ use rule run_filter as iekf with:
     output:
         runs(
             "iekf",
-            studies=["wsn_tracking", "linear_losses", "radar", "quadrotor"],
+            studies=["wsn_tracking", "linear_losses", "radar"],
             skip=["particles=*", "*@particles=*"],
         ),
+
+
+use rule run_filter as iekf_in_flight with:
+    output:
+        runs("iekf", studies=["quadrotor"], skip=["reading-*"]),
 
 
 use rule run_filter as emvf_realised with:
@@ -199,7 +213,7 @@ use rule run_filter as rbpf_fast with:
         runs(
             "rbpf_fast",
             studies=["linear_losses"],
-            points=["loss=0.5", "markov-*", "particles=*", "short-*", "*@particles=*"],
+            points=["loss=0.5", "markov-*", "particles=*", "short-*"],
         ),
 
 

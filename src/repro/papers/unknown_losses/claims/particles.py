@@ -83,6 +83,8 @@ def gain_slows(results: Results) -> list[Part]:
 )
 def needed_particles_depend_on_p(results: Results) -> list[Part]:
     few, sweeps = thresholds(results).few_particles, particle_sweeps(results.catalogue)
+    if len(sweeps) < 2:
+        raise LookupError("two loss probabilities are needed")
     low, high, *_ = sweeps
     most = max(sweeps[low])
     numbers = [
