@@ -30,10 +30,11 @@ def gains_over_kf(results: Results) -> Mapping[str, float]:
     gap = {p: kf[p] - of["rbpf"][p] for p in kf}
     low, high = sorted(kf)[-2:]
     peaks = [max(kf, key=lambda p, sums=sums: kf[p] / sums[p]) for sums in of.values()]
+    enough = [p for p in kf if all(least[q] > factor for q in kf if q >= p)]
     parts = list(linear_losses.difference_grows(results))
     return {
         "much_better_by": factor,
-        "much_better_from_p": min(p for p in kf if all(least[q] > factor for q in kf if q >= p)),
+        "much_better_from_p": min(enough, default=float("nan")),
         "least_p": min(kf),
         "least_gain": least[min(kf)],
         "gaps": len(parts),
