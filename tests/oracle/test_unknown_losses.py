@@ -247,8 +247,7 @@ def test_bkf_2_with_its_literal_prior_becomes_the_kalman_filter():
 
 
 def test_table_1_is_counted():
-    model = plugins.study("radar").model(points()["radar"]["loss=0.5"].parameters)
-    rows = operation_counts.table_1(model, particles=20)
+    rows = operation_counts.table_1(n=6, m=2, particles=20)
     counted = {(row["filter"], row["component"]): row["value"] for row in rows}
     assert counted["iekf", "densities"] == 0
     assert counted["iekf", "products"] == counted["bkf_1", "products"] == 7
@@ -256,6 +255,27 @@ def test_table_1_is_counted():
     assert counted["bkf_1", "densities"] == counted["bkf_2", "densities"] == 2
     assert counted["rbpf", "densities"] == 20  # the paper says 2 N
     assert counted["rbpf", "products"] == 20 * 7
+    assert counted["bkf_2", "order_in_n"] == pytest.approx(3, abs=0.05)
+
+
+def test_multiplications_are_those_of_the_matrices():
+    count = operation_counts.Operations()
+    count.product(np.ones((2, 3)), np.ones((3, 5)))
+    assert (count.products, count.multiplications) == (1, 30)
+    assert operation_counts.order(30, 240) == pytest.approx(3)
+
+
+@pytest.mark.parametrize("process", ["Bernoulli", "Markov"])
+def test_the_standard_particle_filter_approaches_the_exact_estimate(process):
+    log = small_log("linear_losses", "short-loss=0.3", trials=300, steps=6)
+    log = with_parameters(log, loss_process=process)
+    exact = filtered(log, "exact")[0]
+    few, many = (
+        np.sqrt(((filtered(log, "sir_losses", particles=n)[0] - exact) ** 2).mean())
+        for n in (256, 16 * 256)
+    )
+    assert 2.5 < few / many < 6  # 4 in the limit
+    assert many < 0.1
 
 
 GOLDEN = {

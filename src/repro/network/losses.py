@@ -9,6 +9,7 @@ from typing import Literal, NamedTuple, Protocol
 import numpy as np
 
 from repro.kernels import arrays
+from repro.network.channels import Recorded
 
 
 class Losses(NamedTuple):
@@ -23,6 +24,18 @@ class Losses(NamedTuple):
         if last is None or self.after_loss == self.after_arrival:
             return self.first
         return self.after_loss + (self.after_arrival - self.after_loss) * last
+
+
+class RecordedLosses(Recorded):
+    """Channels of an open loop whose losses are kept with the runs: who judges inference asks."""
+
+    def __init__(self, received: np.ndarray, arrival: np.ndarray):
+        """(trials, steps, ...) and (trials, steps); an arrival that is not known is none."""
+        super().__init__(received=received, arrival=arrival)
+        self._gamma = arrival > 0.5
+
+    def record(self) -> dict[str, np.ndarray]:
+        return {"gamma": self._gamma}
 
 
 class LossParameters(Protocol):
@@ -80,3 +93,9 @@ def sensed(received: np.ndarray, gamma: np.ndarray, noiseless: np.ndarray) -> np
 def log_odds(probability: np.ndarray | float) -> np.ndarray:
     """log(p / (1 - p)); infinite, not NaN, at 0 and 1."""
     return arrays.log(probability) - arrays.log1p(-np.asarray(probability))
+
+
+def inferred_rightly(recorded: dict[str, np.ndarray]) -> np.ndarray:
+    """Share of the steps after the first at which a filter infers gamma rightly, (trials,)."""
+    inferred = recorded["arrived"][:, 1:] > 0.5
+    return (inferred == recorded["gamma"][:, 1:]).mean(axis=1)

@@ -95,6 +95,13 @@ class RaoBlackwell(Values):
     ] = "with spread"
 
 
+class SampledStates(Values):
+    """The standard particle filter beside the RBPF: its particles are states."""
+
+    particles: Particles = 200
+    resampling: Resampling = "multinomial"
+
+
 SETTINGS: dict[str, type[Values]] = {
     "omvf": MinimumVariance,
     "emvf": ExtendedMinimumVariance,
@@ -107,6 +114,7 @@ SETTINGS: dict[str, type[Values]] = {
     "bkf_2": MergedHypotheses,
     "rbpf": RaoBlackwell,
     "rbpf_fast": RaoBlackwell,
+    "sir_losses": SampledStates,
 }
 
 

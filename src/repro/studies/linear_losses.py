@@ -8,7 +8,6 @@ from pydantic import Field
 from repro.logs import Log
 from repro.models import Model, linear_system
 from repro.network import losses
-from repro.network.channels import Recorded
 from repro.parameters.values import (
     Covariance2,
     Pair,
@@ -57,8 +56,17 @@ class Analysis(Values):
     few_particles: Annotated[
         int, Field(ge=1, description="particles with which the need for more is measured")
     ]
-    products_within: Annotated[
-        Positive, Field(description="error of a ratio of operation counts that counts as rounding")
+    close_within: Annotated[
+        Positive, Field(description="RMSE of a filter that comes close, over the IKF's, or inverse")
+    ]
+    much_better_by: Annotated[
+        Positive, Field(description="RMSE of a filter over that of one that is much better")
+    ]
+    greatly_faster_by: Annotated[
+        Positive, Field(description="time of an algorithm over that of a greatly faster one")
+    ]
+    inferred_above: Annotated[
+        Probability, Field(description="share of losses and arrivals that are inferred rightly")
     ]
     proportional_within: Annotated[
         Positive, Field(description="deviation of log10 of a ratio of times from proportionality")
@@ -77,6 +85,11 @@ class Analysis(Values):
 def squared_error(runs: Runs) -> np.ndarray:
     """|x(k) - xh(k|k)|^2, (trials, steps)."""
     return _sum(runs.error * runs.error)
+
+
+def inferred_rightly(runs: Runs) -> np.ndarray:
+    """Share of the steps at which the filter infers the loss or arrival rightly, (trials,)."""
+    return losses.inferred_rightly(runs.recorded)
 
 
 def claimed_mean_square(runs: Runs) -> np.ndarray:
@@ -104,6 +117,7 @@ class LinearLosses(Study):
 
     Parameters = Parameters
     Analysis = Analysis
+    keeps_inferred_arrivals = True
     systems_per_block = 20000  # a call of NumPy costs as much as hundreds of systems
 
     def topics(self, parameters: Parameters) -> Fields:
@@ -173,8 +187,8 @@ class LinearLosses(Study):
     def integers(self, parameters: Parameters) -> Integers:
         return {"/network": {"gamma": (0, 1)}}
 
-    def channels(self, log: Log, trials: slice) -> Recorded:
-        return Recorded(
+    def channels(self, log: Log, trials: slice) -> losses.RecordedLosses:
+        return losses.RecordedLosses(
             received=log.values["/received"][trials],
             arrival=log.field("/network", "gamma")[trials],
         )
@@ -190,6 +204,8 @@ class LinearLosses(Study):
         yield "mse", "state", metrics.mean(mean_squared)
         if shards.first.claimed is not None:
             yield "claimed_mse", "state", metrics.mean(shards.each(claimed_mean_square))
+        if "arrived" in shards.first.recorded:
+            yield "inferred", "gamma", metrics.mean(shards.each(inferred_rightly))
         if "triples" in shards.first.recorded:
             triples = shards.each(lambda runs: runs.recorded["triples"].mean(axis=1))
             yield "triples", "state", metrics.mean(triples)

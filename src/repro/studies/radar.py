@@ -9,7 +9,6 @@ from repro.logs import Log
 from repro.models import Model, linear_system
 from repro.models import radar as system
 from repro.network import losses
-from repro.network.channels import Recorded
 from repro.parameters.values import (
     NotNegative,
     PointParameters,
@@ -62,11 +61,14 @@ class Parameters(PointParameters):
 
 
 class Analysis(Values):
-    """When a run has lost its target, and which loss probabilities a claim calls large."""
+    """When a run has lost its target, and what the claims' words mean."""
 
     lost_above: Annotated[Positive, Field(description="m, error at the end of a lost run")]
     large_loss: Annotated[
         Probability, Field(description="smallest loss probability that counts as large")
+    ]
+    inferred_above: Annotated[
+        Probability, Field(description="share of losses and arrivals that are inferred rightly")
     ]
 
 
@@ -106,11 +108,17 @@ def final_error(runs: Runs) -> np.ndarray:
     return np.sqrt(squared_error(runs)[:, -1])
 
 
+def inferred_rightly(runs: Runs) -> np.ndarray:
+    """Share of the steps at which the filter infers the loss or arrival rightly, (trials,)."""
+    return losses.inferred_rightly(runs.recorded)
+
+
 class Radar(Study):
     """Position error of a target that a radar with losses tracks [unknown_losses Figs. 3-5]."""
 
     Parameters = Parameters
     Analysis = Analysis
+    keeps_inferred_arrivals = True
     systems_per_block = 20000  # a call of NumPy costs as much as hundreds of systems
     keeps_claimed_variance = False  # no table shows them
     trajectory = (("p1", "p2"),)
@@ -188,8 +196,8 @@ class Radar(Study):
     def integers(self, parameters: Parameters) -> Integers:
         return {"/network": {"gamma": (0, 1)}}
 
-    def channels(self, log: Log, trials: slice) -> Recorded:
-        return Recorded(
+    def channels(self, log: Log, trials: slice) -> losses.RecordedLosses:
+        return losses.RecordedLosses(
             received=log.values["/received"][trials],
             arrival=log.field("/network", "gamma")[trials],
         )
@@ -206,6 +214,8 @@ class Radar(Study):
         rmse = metrics.roots_over_steps(shards.each(squared_error))
         yield "rmse", "position", metrics.statistic(rmse)
         yield "final_error", "position", metrics.mean(shards.each(final_error))
+        if "arrived" in shards.first.recorded:
+            yield "inferred", "gamma", metrics.mean(shards.each(inferred_rightly))
         if "triples" in shards.first.recorded:
             triples = shards.each(lambda runs: runs.recorded["triples"][:, 1:].mean(axis=1))
             yield "triples", "position", metrics.mean(triples)

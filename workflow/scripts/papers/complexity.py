@@ -6,4 +6,6 @@ from repro.workflow.job import job
 params = snakemake.params
 with job(snakemake.log[0]):
     parameters = radar.Parameters.checked(params.parameters, "radar: parameters")
-    write_csv(table_1(radar.STUDY.model(parameters), params.particles), snakemake.output[0])
+    model = radar.STUDY.model(parameters)
+    sizes = len(model.initial_mean), len(model.measurement_covariance)
+    write_csv(table_1(*sizes, params.particles), snakemake.output[0])

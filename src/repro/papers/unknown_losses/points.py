@@ -2,6 +2,7 @@
 
 import re
 
+from repro.parameters.point_names import is_reading
 from repro.tables.results import Catalogue
 
 PROPOSED = ("bkf_1", "bkf_2", "rbpf")
@@ -24,13 +25,25 @@ def swept(catalogue: Catalogue, study: str, prefix: str = SWEEP) -> dict[float, 
     }
 
 
-def particle_sweeps(catalogue: Catalogue) -> dict[float, dict[int, str]]:
-    """Loss probability -> number of particles -> point, of Fig. 2."""
+def most_runs(catalogue: Catalogue, study: str) -> dict[float, str]:
+    """The point with most runs of each loss probability: the pooled one where there is one."""
+    return swept(catalogue, study) | swept(catalogue, study, f"pooled-{SWEEP}")
+
+
+def particle_sweeps(
+    catalogue: Catalogue, study: str = "linear_losses"
+) -> dict[float, dict[int, str]]:
+    """Loss probability -> number of particles -> point, of Fig. 2, or of the same on the radar."""
     sweeps: dict[float, dict[int, str]] = {}
-    for point in catalogue["linear_losses"]:
+    for point in catalogue[study]:
         if named := PARTICLES.fullmatch(point):
             sweeps.setdefault(float(named[2]), {})[int(named[1])] = point
     return sweeps
+
+
+def plain_points(catalogue: Catalogue, study: str) -> list[str]:
+    """The points of a study that are no readings of others."""
+    return [point for point in catalogue[study] if not is_reading(point)]
 
 
 def rbpf_of(catalogue: Catalogue, study: str, point: str) -> str:
