@@ -18,15 +18,14 @@ class Streams:
     """
 
     def __init__(self, root_seed: int, study: str, role: str, trials: Iterable[int]):
-        role_key = (crc32(study.encode()), crc32(role.encode()))
-        self._root_seed = root_seed
-        self._spawn_keys = [(*role_key, trial) for trial in trials]
+        self._root_seed, self._trials = root_seed, list(trials)
+        self._role_key = crc32(study.encode()), crc32(role.encode())
 
     @cached_property
     def generators(self) -> list[np.random.Generator]:
         """NumPy's generators, one a trial."""
         return [
-            np.random.Generator(np.random.PCG64(self._sequence(key))) for key in self._spawn_keys
+            np.random.Generator(np.random.PCG64(self._sequence(trial))) for trial in self._trials
         ]
 
     def keys(self) -> np.ndarray:
@@ -34,14 +33,15 @@ class Streams:
 
         Of a child of each stream's seed sequence, so that they are independent of `generators`.
         """
-        keys = [self._sequence((*key, 1)).generate_state(1, np.uint64) for key in self._spawn_keys]
+        keys = [self._sequence(trial, 1).generate_state(1, np.uint64) for trial in self._trials]
         return np.concatenate(keys) if keys else np.empty(0, dtype=np.uint64)
 
-    def _sequence(self, spawn_key: tuple[int, ...]) -> np.random.SeedSequence:
+    def _sequence(self, *trial_and_child: int) -> np.random.SeedSequence:
+        spawn_key = (*self._role_key, *trial_and_child)
         return np.random.SeedSequence(self._root_seed, spawn_key=spawn_key)
 
     def __len__(self) -> int:
-        return len(self._spawn_keys)
+        return len(self._trials)
 
     def _draw(self, shape: tuple[int, ...], fill: Fill) -> np.ndarray:
         drawn = np.empty((len(self), *shape))
