@@ -40,11 +40,9 @@ def _widen_vectors() -> None:
     Those with VBMI2; the CPUs before lowered their clock. The bits of results do not depend on it.
     """
     features = get_host_cpu_features()
-    if config.CPU_NAME is config.CPU_FEATURES is None and "+avx512vbmi2" in features:
-        config.CPU_FEATURES = f"{features},-prefer-256-bit"
-
-
-_widen_vectors()
+    named = _setting("CPU_NAME") or _setting("CPU_FEATURES") is not None
+    if not named and "+avx512vbmi2" in features:
+        setattr(config, "CPU_FEATURES", f"{features},-prefer-256-bit")  # noqa: B010
 
 
 def compiled(function: Callable, **options: Any) -> Any:
@@ -217,3 +215,6 @@ def _write(path: Path, content: bytes) -> None:
     except BaseException:
         Path(part).unlink(missing_ok=True)
         raise
+
+
+_widen_vectors()
