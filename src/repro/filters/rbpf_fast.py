@@ -12,4 +12,6 @@ STREAM = "rbpf"  # the same random numbers as Algorithm 3
 
 def build(model: Model, settings: RaoBlackwell) -> Filter:
     built = rao_blackwell.build(model, settings, rao_blackwell.column_per_triple)
-    return built._replace(diagnostics=rao_blackwell.triples)
+    # About a quarter of the particles, or fewer, are distinct and have a Kalman filter
+    distinct = max(1, settings.particles // 4)
+    return built._replace(diagnostics=rao_blackwell.triples, particles=distinct)

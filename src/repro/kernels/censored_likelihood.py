@@ -13,7 +13,14 @@ import numpy as np
 
 from repro.kernels import resampling
 from repro.kernels.compiled import kernel, scalar
-from repro.kernels.elementary import exp, expm1, log, log_normal_cdf, log_of_normal, logaddexp
+from repro.kernels.elementary import (
+    exp_of_negative,
+    expm1,
+    log,
+    log_normal_cdf,
+    log_of_normal,
+    logaddexp,
+)
 
 # Distances are clipped to 1e-9 ... 1e9 m, so that every signal strength is finite.
 NEAREST_SQUARED, FARTHEST_SQUARED = 1e-18, 1e18  # m^2
@@ -68,7 +75,7 @@ def likelihood(x, known, network, prior, work, out):
         for j in range(out.size):
             largest = out[j] if prior[j] > 0.0 and out[j] > largest else largest
         for j in range(out.size):
-            out[j] = exp(out[j] - largest) if prior[j] > 0.0 else 0.0
+            out[j] = exp_of_negative(out[j] - largest) if prior[j] > 0.0 else 0.0
 
 
 @kernel
@@ -92,7 +99,8 @@ def density(strength, y, noise, product):
     for j in range(strength.size):
         error = y - strength[j]
         square = error * error
-        product[j] *= peak_1 * exp(scale_1 * square) + peak_2 * exp(scale_2 * square)
+        nominal = peak_1 * exp_of_negative(scale_1 * square)
+        product[j] *= nominal + peak_2 * exp_of_negative(scale_2 * square)
 
 
 @kernel
@@ -151,7 +159,7 @@ def tail(a):
     q = q * a + 14877.334458013405
     q = q * a + 15066.032421158594
     q = q * a + 6968.532065606153
-    return exp(-0.5 * a * a) * p, q
+    return exp_of_negative(-0.5 * a * a) * p, q
 
 
 @kernel

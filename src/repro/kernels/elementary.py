@@ -69,15 +69,20 @@ def _exp_rest(r):
 
 
 @scalar
-def exp(x):
-    """e^x; zero where it would be subnormal."""
+def exp_of_negative(x):
+    """e^x of an x that is not positive; zero where it would be subnormal."""
     shifted = x * LOG2_E + SHIFT
     k = shifted - SHIFT
     r = (x - k * LN2_HIGH) - k * LN2_LOW
     fraction = 1.0 + (r + _exp_rest(r))
     y = with_bits(bits_of(fraction) + (bits_of(shifted) << 52))
-    y = 0.0 if x < EXP_UNDERFLOWS else y
-    return np.inf if x > EXP_OVERFLOWS else y
+    return 0.0 if x < EXP_UNDERFLOWS else y
+
+
+@scalar
+def exp(x):
+    """e^x; zero where it would be subnormal."""
+    return np.inf if x > EXP_OVERFLOWS else exp_of_negative(x)
 
 
 @scalar

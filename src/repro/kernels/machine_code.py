@@ -24,6 +24,7 @@ import numba
 import numpy as np
 from numba.core import config
 from numba.core.caching import NullCache
+from numba.core.codegen import get_host_cpu_features
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
@@ -31,6 +32,17 @@ SUFFIX = ".kernel"
 _PACKAGE = Path(__file__).parent
 _DIGEST = hashlib.sha256().digest_size
 _PATIENCE = 60.0  # s, after which a kernel is compiled though another process does so too
+
+
+def _widen_vectors() -> None:
+    """Vectors of 512 bits on CPUs that run them at full clock, as LLVM takes 256 on its own.
+
+    Those with VBMI2; the CPUs before lowered their clock. The bits of results do not depend on it.
+    """
+    features = get_host_cpu_features()
+    named = _setting("CPU_NAME") or _setting("CPU_FEATURES") is not None
+    if not named and "+avx512vbmi2" in features:
+        setattr(config, "CPU_FEATURES", f"{features},-prefer-256-bit")  # noqa: B010
 
 
 def compiled(function: Callable, **options: Any) -> Any:
@@ -203,3 +215,6 @@ def _write(path: Path, content: bytes) -> None:
     except BaseException:
         Path(part).unlink(missing_ok=True)
         raise
+
+
+_widen_vectors()

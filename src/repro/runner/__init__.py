@@ -14,7 +14,7 @@ from repro.filters import Filter
 from repro.logs import Log, read_log
 from repro.parameters.settings import PlainSettings, typed_settings
 from repro.runner.block import Block
-from repro.runner.faults import Progress, Task, inside
+from repro.runner.faults import Inside, Progress, Task
 from repro.statistics.runs import Runs, RunsWriter
 from repro.streams import Streams
 from repro.studies import ClosedLoop, Study
@@ -55,8 +55,8 @@ def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, R
         blocks.append(block.run(progress))
         if isinstance(typed, PlainSettings):
             typed.check_all_read()
-    estimate = np.concatenate([block.estimate for block in blocks])
-    flown = {t: np.concatenate([block.flown[t] for block in blocks]) for t in blocks[0].flown}
+    estimate = _joined([block.estimate for block in blocks])
+    flown = {t: _joined([block.flown[t] for block in blocks]) for t in blocks[0].flown}
     log = log._replace(values=log.values | flown)  # a closed loop decides its own truth
     error = study.error(log, estimate) if "/truth" in log.values else np.full_like(estimate, np.nan)
     return estimate, Runs(
@@ -64,8 +64,7 @@ def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, R
         claimed=_claimed([block.claimed for block in blocks]),
         degenerate=np.concatenate([block.degenerate for block in blocks]),
         recorded={
-            key: np.concatenate([block.recorded[key] for block in blocks])
-            for key in blocks[0].recorded
+            key: _joined([block.recorded[key] for block in blocks]) for key in blocks[0].recorded
         },
         flown=flown,
     )
@@ -81,7 +80,7 @@ def build(task: Task, module: Any, model: Any, settings: Any) -> Filter:
         raise ReproError(
             f"{task}: it needs a {wanted.__name__}; this study has a {type(model).__name__}"
         )
-    with inside(task, "build(model, settings)"):
+    with Inside(task, "build(model, settings)"):
         built = module.build(model, settings)
     if not isinstance(built, Filter):
         raise ReproError(f"{task}: build returned a {type(built).__name__}; it must be a Filter")
@@ -99,7 +98,18 @@ def _claimed(of_blocks: list[np.ndarray | None]) -> np.ndarray | None:
     first, *_ = of_blocks
     if first is None or first.ndim == 2:
         return first
-    return np.concatenate([part for part in of_blocks if part is not None])
+    return _joined([part for part in of_blocks if part is not None])
+
+
+def _joined(of_blocks: list[np.ndarray]) -> np.ndarray:
+    """Values of all blocks, (trials, ...), one trial after another in memory as in a log.
+
+    The order in memory is that in which later sums are formed, and so concerns their bits.
+    """
+    trials = sum(len(part) for part in of_blocks)
+    first = of_blocks[0]
+    kind = np.result_type(*of_blocks)
+    return np.concatenate(of_blocks, out=np.empty((trials, *first.shape[1:]), dtype=kind))
 
 
 class FilteredPoint(NamedTuple):

@@ -1,7 +1,5 @@
 """A filter on some trials, step by step."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,11 +7,13 @@ import numpy as np
 from repro.errors import ReproError
 from repro.filters import Filter
 from repro.network.channels import Channels, Seen
-from repro.runner.faults import Progress, Task, inside
+from repro.runner.faults import Inside, Progress, Task
 from repro.streams import Streams
 
-# Of what a filter may have besides: axes of the arrays that it returns.
+# Axes of the arrays that a filter returns.
 SHAPES = {
+    "mean": ("trials, n",),
+    "diagnostics": ("trials",),
     "predicted": ("trials, n",),
     "variance": ("n", "trials, n"),
     "arrived": ("trials",),
@@ -52,7 +52,16 @@ class Block:
         self._task, self._filter, self._sees = task, built, sees
         self._channels, self._streams, self._numbers = channels, streams, numbers
         self._first, self._kept = first_step, kept
-        self._estimate = np.empty((len(numbers), steps, states))
+        # (steps, n, trials), as filters have it: to write (trials, steps, n) step by step is slow
+        self._estimate = np.empty((steps, states, len(numbers)))
+        self._trials = f"trials {numbers[0]} to {numbers[-1]}"
+        lengths = {"trials": len(numbers), "n": states}
+        self._allowed = {
+            name: {
+                f"({shape})": tuple(lengths[axis] for axis in shape.split(", ")) for shape in shapes
+            }
+            for name, shapes in SHAPES.items()
+        }
         self._history: dict[str, list[Any]] = {}  # of what is kept of each step besides
 
     def run(self, progress: Progress | None = None) -> BlockResult:
@@ -62,7 +71,7 @@ class Block:
         mean = self._checked(self._mean(0), 0)
         if self._first == 1:
             self._keep(0, mean, None)
-        steps = self._estimate.shape[1]
+        steps = len(self._estimate)
         for k in range(self._first, steps):
             offered = self._channels.at(k, self._fed_back(k, mean))
             with self._inside("step(state, k, seen)", k):
@@ -88,7 +97,7 @@ class Block:
 
     def _keep(self, k: int, mean: np.ndarray, over: np.ndarray | None) -> None:
         """Keep the estimate of step k and what the filter says of it besides."""
-        self._estimate[:, k] = mean
+        self._estimate[k] = mean.T
         for name in self._kept:
             function = getattr(self._filter, name)
             if function is not None:
@@ -100,24 +109,23 @@ class Block:
                 found = dict(self._filter.diagnostics(self._state))
             for name, values in found.items():
                 steps = self._history.setdefault(f"diagnostic {name}", [])
-                steps.append(self._shaped(f"diagnostics(state)['{name}']", k, values, "trials"))
+                steps.append(self._shaped("diagnostics", f"(state)['{name}']", k, values))
 
     def _result(self) -> BlockResult:
         history, recorded = self._history, self._channels.record()
         if "arrived" in history:
-            recorded["arrived"] = np.stack(history.pop("arrived"), axis=1)
+            recorded["arrived"] = _over_steps(history.pop("arrived"))
         claimed = history.pop("variance", None)
         recorded |= {
-            name.removeprefix("diagnostic "): np.stack(steps, axis=1)
-            for name, steps in history.items()
+            name.removeprefix("diagnostic "): _over_steps(steps) for name, steps in history.items()
         }
         degenerate = np.zeros(len(self._numbers))
         if self._filter.degenerate:
-            last = self._estimate.shape[1] - 1
+            last = len(self._estimate) - 1
             degenerate = self._optional("degenerate", last, self._filter.degenerate, self._state)
         return BlockResult(
-            self._estimate,
-            None if claimed is None else np.stack(claimed, axis=-2),
+            self._estimate.transpose(2, 0, 1),
+            None if claimed is None else _over_steps(claimed, shared=claimed[0].ndim == 1),
             degenerate,
             recorded,
             self._channels.flown(),
@@ -125,10 +133,10 @@ class Block:
 
     def _checked(self, mean: np.ndarray, k: int) -> np.ndarray:
         """The estimate, if it has the shape that it must have and is finite."""
-        self._shaped("mean(state)", k, mean, "trials, n")
-        finite = np.isfinite(mean).all(axis=1)
+        self._shaped("mean", "(state)", k, mean)
+        finite = np.isfinite(mean)
         if not finite.all():
-            trial = self._numbers[int(finite.argmin())]
+            trial = self._numbers[int(finite.all(axis=1).argmin())]
             raise ReproError(
                 f"{self._task}: the estimate of trial {trial} at step {k} is not finite; "
                 "fix step or mean, for instance a division by zero"
@@ -137,36 +145,40 @@ class Block:
 
     def _optional(self, name: str, k: int, function: Any, *arguments: Any) -> np.ndarray:
         """What an optional function of the filter returns, checked for its shape."""
-        signature = "state, k" if len(arguments) == 2 else "state"
-        with self._inside(f"{name}({signature})", k):
+        signature = "(state, k)" if len(arguments) == 2 else "(state)"
+        with self._inside(name + signature, k):
             values = function(*arguments)
-        return self._shaped(f"{name}({signature})", k, values, *SHAPES[name])
+        return self._shaped(name, signature, k, values)
 
-    def _shaped(self, what: str, k: int, values: Any, *shapes: str) -> np.ndarray:
-        """The values as an array, if real and of one of the shapes, such as "trials, n"."""
-        array = np.asarray(values)
-        lengths = {"trials": self._estimate.shape[0], "n": self._estimate.shape[2]}
-        allowed = {
-            f"({shape})": tuple(lengths[axis] for axis in shape.split(", ")) for shape in shapes
-        }
-        where = f"at step {k}, {self._trials}"
+    def _shaped(self, name: str, signature: str, k: int, values: Any) -> np.ndarray:
+        """The values as an array, if real and of a shape that the function may return."""
+        array, allowed = np.asarray(values), self._allowed[name]
         if array.shape not in allowed.values():
-            expected = " or ".join(f"{name} = {shape}" for name, shape in allowed.items())
+            expected = " or ".join(f"{axes} = {shape}" for axes, shape in allowed.items())
             raise ReproError(
-                f"{self._task}: {what} has shape {array.shape} {where}; it must be {expected}"
+                f"{self._task}: {name}{signature} has shape {array.shape} at step {k}, "
+                f"{self._trials}; it must be {expected}"
             )
-        if not np.isrealobj(array) or array.dtype.kind not in "fiub":
-            raise ReproError(f"{self._task}: {what} holds {array.dtype} {where}; it must be real")
+        if array.dtype.kind not in "fiub":
+            raise ReproError(
+                f"{self._task}: {name}{signature} holds {array.dtype} at step {k}, "
+                f"{self._trials}; it must be real"
+            )
         return array
 
-    @property
-    def _trials(self) -> str:
-        return f"trials {self._numbers[0]} to {self._numbers[-1]}"
+    def _inside(self, function: str, k: int) -> Inside:
+        return Inside(self._task, function, " at step ", k, ", ", self._trials)
 
-    @contextmanager
-    def _inside(self, function: str, k: int) -> Iterator[None]:
-        with inside(self._task, f"{function} at step {k}, {self._trials}"):
-            yield
+
+def _over_steps(values: list[np.ndarray], shared: bool = False) -> np.ndarray:
+    """Values (trials, ...) of each step as (trials, steps, ...); (steps, n) if trials share them.
+
+    A view of the steps one after another, which is written faster.
+    """
+    if shared:
+        return np.stack(values)
+    steps = np.stack([of_step.T for of_step in values])
+    return steps.transpose(steps.ndim - 1, *range(steps.ndim - 1))
 
 
 def _held(values: Any, last: Any, over: np.ndarray | None) -> Any:

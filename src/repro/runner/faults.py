@@ -3,8 +3,6 @@
 import sys
 import time
 import traceback
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
@@ -32,22 +30,34 @@ class Task(NamedTuple):
         return f"filter {self.name} on {self.place}"
 
 
-@contextmanager
-def inside(task: Task, where: str) -> Iterator[None]:
-    """A call into a filter: its exceptions become one line, with its own part of the traceback."""
-    try:
-        yield
-    except ReproError as error:  # already one line: of a channel or a setting
-        text = str(error)
-        if text.startswith(str(task)):
-            raise
-        raise ReproError(f"{task}: {where}: {text.removeprefix(f'filter {task.name}: ')}") from None
-    except Exception as error:
+class Inside:
+    """A call into a filter: its exceptions become one line, with its own part of the traceback.
+
+    `where` is in pieces, joined when there is something to say: a run enters this at every step.
+    """
+
+    __slots__ = ("_task", "_where")
+
+    def __init__(self, task: Task, *where: object):
+        self._task, self._where = task, where
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        if not isinstance(error, Exception):
+            return
+        task, text = self._task, str(error)
+        if isinstance(error, ReproError) and text.startswith(str(task)):
+            return
+        where = f"{task}: {''.join(map(str, self._where))}"
+        if isinstance(error, ReproError):  # already one line: of a channel or a setting
+            text = text.removeprefix(f"filter {task.name}: ")
+            raise ReproError(f"{where}: {text}") from None
         frames = traceback.extract_tb(error.__traceback__)
         own = [frame for frame in frames if Path(frame.filename).parent != RUNNER]
         raise FilterError(
-            f"{task}: {where}: {type(error).__name__}: {error}",
-            "".join(traceback.format_list(own)),
+            f"{where}: {type(error).__name__}: {text}", "".join(traceback.format_list(own))
         ) from error
 
 

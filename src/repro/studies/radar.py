@@ -119,7 +119,8 @@ class Radar(Study):
     Parameters = Parameters
     Analysis = Analysis
     keeps_inferred_arrivals = True
-    systems_per_block = 20000  # a call of NumPy costs as much as hundreds of systems
+    # A call of NumPy costs as much as hundreds of systems, but more of six states leave the cache
+    systems_per_block = 10000
     keeps_claimed_variance = False  # no table shows them
     trajectory = (("p1", "p2"),)
     error_unit = "m"
