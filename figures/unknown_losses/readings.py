@@ -50,5 +50,5 @@ def draw(results: Results) -> Figure:
     axes.set(yticks=np.arange(len(points)), yticklabels=[f"base, {BASE}", *readings], xscale="log")
     axes.set_xlabel("position RMSE in m, mean over the steps")
     axes.invert_yaxis()
-    axes.legend(fontsize=8)
+    axes.legend(fontsize=8, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     return drawn

@@ -84,7 +84,6 @@ def detectable(results: Results) -> Mapping[str, float]:
     """The largest difference that the undecided comparisons of a claim could not decide."""
     tests: dict[str, Test] = {
         "stable_linear": inference.bkf_2_is_more_stable,
-        "stable_radar": inference.bkf_2_loses_fewer,
         "rbpf_bkf": radar.rbpf_beats_bkf_at_every_p,
         "bkf_1_bkf_2": radar.bkf_1_beats_bkf_2_at_every_p,
         "grows": radar.rmse_grows_with_p,
