@@ -58,6 +58,10 @@ class Layout:
         """Numbers that the reasons for the verdicts of a paper state."""
         return self._at("facts", f"{paper}.csv")
 
+    def calibration(self, *parts: str) -> str:
+        """What the search for fitted parameters of a paper has found."""
+        return self._at("calibration", *parts)
+
     def view(self, study="{study}", point="{point}", trial: Number = "{trial}") -> str:
         """One trial to look into, without its ending."""
         return self._at("views", study, point, f"trial-{trial}")
