@@ -15,6 +15,7 @@ include: "workflow/rules/papers/packet_delays.smk"
 include: "workflow/rules/papers/censored_network.smk"
 include: "workflow/rules/papers/unknown_losses.smk"
 include: "workflow/rules/results.smk"
+include: "workflow/rules/calibration.smk"
 include: "workflow/rules/ranking.smk"
 include: "workflow/rules/pages.smk"
 include: "workflow/rules/seeds.smk"
@@ -25,6 +26,7 @@ localrules:
     all,
     archive,
     assumptions,
+    calibration,
     catalogue,
     complexity,
     diff,

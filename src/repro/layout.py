@@ -66,6 +66,10 @@ class Layout:
         """The diff with another root seed; without its ending, the folder that it is made in."""
         return self._at("seeds", f"{seed}.csv")
 
+    def calibration(self, *parts: str) -> str:
+        """What the search for fitted parameters of a paper has found."""
+        return self._at("calibration", *parts)
+
     def view(self, study="{study}", point="{point}", trial: Number = "{trial}") -> str:
         """One trial to look into, without its ending."""
         return self._at("views", study, point, f"trial-{trial}")

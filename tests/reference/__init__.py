@@ -12,7 +12,7 @@ import numpy as np
 
 from repro import plugins
 from repro.parameters.load import load_paper
-from repro.parameters.point_names import on_request
+from repro.parameters.point_names import on_request, reading_of
 from repro.runner import run
 from repro.statistics.shards import Shards
 from tests.conftest import ROOT, catalogue, points, settings, small_log
@@ -42,7 +42,8 @@ def _first_of_families(study: str) -> dict[str, list[str]]:
     families: dict[str, str] = {}
     for point, filters in catalogue()[study].items():
         if filters and not on_request(point):
-            families.setdefault(points()[study][point].family, point)
+            family, _ = reading_of(points()[study][point].family)
+            families.setdefault(family, point)
     return {point: catalogue()[study][point] for point in families.values()}
 
 

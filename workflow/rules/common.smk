@@ -175,6 +175,8 @@ def plain_points(study):
 
 # Tables that come from no trials, by paper: filled by the papers' own rules.
 COMPUTED_TABLES = {paper: [] for paper in PAPERS}
+# What `snakemake calibration` makes: filled likewise.
+CALIBRATIONS = []
 
 
 def table_files(paper):

@@ -89,6 +89,7 @@ def figure_inputs(names):
         for study, points in needed.get("points", {}).items():
             found += [*REGISTRY.log_files(study, points), *REGISTRY.run_files(study, points)]
         found += needed.get("measured", [])
+        found += [LAYOUT.calibration(f"{name}.csv") for name in needed.get("calibration", [])]
         if needed.get("leaderboard"):
             found += [LAYOUT.page("leaderboard.csv")]
         if needed.get("diff"):

@@ -54,6 +54,7 @@ class Paper(NamedTuple):
     ranking: dict[str, Ranking]  # study -> whose its filters are
     run: dict[str, list[str]]  # study -> filters that run on every point without a rule
     examples: dict[str, dict[str, Any]]
+    calibration: dict[str, Any]  # box and effort of the search for what was fitted
 
     def described(self, study: str) -> dict[str, Any]:
         """What jobs get to know of a study besides its files: plain values."""
@@ -103,6 +104,9 @@ class Run(Values):
         | Annotated[int, Field(ge=0, description="the only one")]
         | None
     ) = None
+    budget: Annotated[
+        Positive, Field(description="effort of `calibration`, as a share of the parameter files'")
+    ] = 1.0
     figure: Annotated[str, Field(description="figure to draw, as PAPER/FIGURE")] | None = None
     filter: Annotated[str, Field(description="filter that the leaderboard is asked for")] | None = (
         None
@@ -169,6 +173,7 @@ def load_paper(path: str | Path) -> Paper:
         {name: section.ranking for name, section in content.studies.items()},
         {name: section.run for name, section in content.studies.items()},
         examples,
+        plain(content.calibration),
     )
 
 

@@ -85,6 +85,8 @@ class PaperFile(Values):
     authors: Text = "not published"
     studies: dict[str, StudySection]
     examples: dict[str, Entries] = Field(default_factory=dict)
+    # Box and effort of the search for what was fitted to the paper's numbers.
+    calibration: Entries = Field(default_factory=dict)
 
 
 class RunFile(Values):
@@ -119,3 +121,5 @@ def every_value(content: PaperFile) -> Iterator[tuple[str, str, str, Any, WithSo
     for example, entries in content.examples.items():
         for name, entry in entries.items():
             yield example, "every", name, entry.value, entry
+    for name, entry in content.calibration.items():
+        yield "calibration", "every", name, entry.value, entry

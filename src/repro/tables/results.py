@@ -190,6 +190,10 @@ class Results:
         """The distribution of those errors over the runs."""
         return pd.read_csv(self.layout.error_shares(study))
 
+    def calibration(self, name: str) -> pd.DataFrame:
+        """A table of what the search for fitted parameters has found."""
+        return pd.read_csv(self.layout.calibration(f"{name}.csv"))
+
     def leaderboard(self) -> pd.DataFrame:
         """The rankings of all studies."""
         return pd.read_csv(self.layout.page("leaderboard.csv"))
