@@ -13,7 +13,7 @@ from pydantic import Field
 
 from repro import plugins
 from repro.kernels import arrays
-from repro.papers.censored_network.time_averages import POINT, mean_of_roots
+from repro.papers.censored_network.time_averages import POINT
 from repro.parameters.values import Pair, PointParameters, Positive, Values
 from repro.runner import run
 from repro.simulate import simulated
@@ -25,6 +25,16 @@ TARGET = "target_"  # begins the name of a target's component
 Row = tuple[str, str]  # study and filter: a row of Tables I and II
 Count = Annotated[int, Field(ge=1)]
 Trials = Annotated[int, Field(ge=2)]  # of which each can be left out
+
+
+def with_average(of_targets: np.ndarray) -> np.ndarray:
+    """The targets and their mean, (..., targets) to (..., targets + 1)."""
+    return np.concatenate([of_targets, of_targets.mean(axis=-1, keepdims=True)], axis=-1)
+
+
+def mean_of_roots(squared: np.ndarray) -> np.ndarray:
+    """Mean over the steps of the roots, (..., steps, targets) to (..., targets + 1)."""
+    return with_average(np.sqrt(squared).mean(axis=-2))
 
 
 class Search(Values):

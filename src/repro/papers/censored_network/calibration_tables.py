@@ -7,9 +7,14 @@ from typing import Any
 import numpy as np
 
 from repro.kernels import arrays
-from repro.papers.censored_network.calibration import Network, Printed, Row, misfit
+from repro.papers.censored_network.calibration import (
+    Network,
+    Printed,
+    Row,
+    misfit,
+    with_average,
+)
 from repro.papers.censored_network.calibration_search import COMMITTED, Fit
-from repro.papers.censored_network.time_averages import with_average
 from repro.statistics import metrics
 from repro.statistics.paired import independent_error
 from repro.studies.families.censored_network import COMPONENTS
