@@ -33,7 +33,8 @@ def tabulate_geometries(
     found = [({"fit": "committed", "left_out": ""}, network.committed, *committed)]
     for fit in fits:
         start = "committed" if fit.start == COMMITTED else f"screened {fit.start}"
-        name = {"fit": f"from {start}", "left_out": " ".join(fit.left_out or ())}
+        name: dict[str, Any] = {"fit": f"from {start}", "left_out": " ".join(fit.left_out or ())}
+        name |= {"evaluations": network.search.evaluations}
         name |= dict(zip(("search_begun", "search_ended"), fit.searched, strict=True))
         found.append((name, network.box.geometry(fit.shares), fit.value, fit.jackknife))
     found.sort(key=lambda of: float(misfit(of[2], printed)))
@@ -47,7 +48,7 @@ def tabulate_geometries(
             name
             | _measured(value, left_out, printed)
             | {"worse_than_best": worse, "mcse_of_difference": error}
-            | {"equal": worse <= tolerance * error}
+            | {"equal": worse <= tolerance * error, "trials": len(left_out)}
             | geometry.columns()
         )
     write_csv(rows, path)

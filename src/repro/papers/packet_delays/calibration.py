@@ -88,7 +88,7 @@ def tabulate(
         error = float(metrics.jackknife_error(left_out - best_left_out))
         row |= {"mcse": float(metrics.jackknife_error(left_out))}
         row |= {"worse_than_best": worse, "mcse_of_difference": error}
-        rows.append(row | {"equal": worse <= tolerance * error})
+        rows.append(row | {"equal": worse <= tolerance * error, "trials": grid.trials})
     write_csv(rows, path)
 
 
