@@ -15,6 +15,8 @@ from repro.statistics import metrics
 from repro.tables.csv_file import write_csv
 from repro.tables.results import Results
 
+# Of two root seeds' numbers, the error of their difference over that of each.
+OF_TWO_SEEDS = math.sqrt(2.0)
 RISKS = ("not_holds", "not_fails", "only_holds", "only_fails")  # columns of the claims
 
 
@@ -27,8 +29,12 @@ class Part(NamedTuple):
     seed_error: float | None = None  # of a difference from a bound that allows for the mcse already
 
     def possible(self, tolerance: float) -> set[str]:
-        """Verdicts that other root seeds may give: the difference moved by so many errors."""
-        moved = tolerance * (self.mcse if self.seed_error is None else self.seed_error)
+        """Verdicts that other root seeds may give.
+
+        The difference moves by `tolerance` times the error of a difference of two seeds' numbers.
+        """
+        error = self.mcse if self.seed_error is None else self.seed_error
+        moved = tolerance * OF_TWO_SEEDS * error
         shifts = (-moved, 0.0, moved) if np.isfinite(moved) else (0.0,)
         at = [self._replace(difference=self.difference + shift) for shift in shifts]
         return {part.verdict(tolerance) for part in at}
@@ -40,7 +46,7 @@ class Part(NamedTuple):
         that of ours and its own.
         """
         error = self.mcse if self.seed_error is None else self.seed_error
-        moved, margin = tolerance * error, tolerance * self.mcse
+        moved, margin = tolerance * OF_TWO_SEEDS * error, tolerance * self.mcse
         if not np.isfinite(self.difference + moved + margin):  # undecided with any seed
             return dict(zip(RISKS, (1.0, 1.0, 0.0, 0.0), strict=True))
 

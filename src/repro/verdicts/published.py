@@ -10,7 +10,7 @@ import pandas as pd
 
 from repro.errors import ReproError
 from repro.statistics.paired import independent_error
-from repro.verdicts.claims import RISKS, overall, possible_overall, risk
+from repro.verdicts.claims import OF_TWO_SEEDS, RISKS, overall, possible_overall, risk
 from repro.verdicts.facts import filled, read_facts
 from repro.verdicts.standing import standing
 
@@ -81,21 +81,21 @@ def compare_value(
         "allowed_percent": 100 * allowed / abs(published) if published else np.nan,
         "z": difference / error if error > 0 else np.nan,
         "verdict": "match" if abs(difference) <= allowed else "differs",
-        "on_edge": abs(abs(difference) - allowed) <= tolerance * mcse,
+        "on_edge": abs(abs(difference) - allowed) <= tolerance * OF_TWO_SEEDS * mcse,
     }
 
 
 def value_risk(expect: str, compared: Mapping[str, Any], tolerance: float) -> float:
     """Probability that with a fresh root seed a value's verdict cannot be the expected one.
 
-    That is if our number is beyond the limit by more than `tolerance` of its standard errors; a
-    fresh number is ours plus two errors' worth: that of ours and its own.
+    That is if its number is beyond the limit by more than `tolerance` errors of a difference of two
+    seeds' numbers; it is ours plus two errors' worth: that of ours and its own.
     """
     beyond = abs(compared["ours"] - compared["published"]) - compared["allowed"]
     beyond *= 1 if expect == "match" else -1
     if compared["mcse"] == 0 or not np.isfinite(beyond):
         return float(not beyond <= 0)
-    return 0.5 * math.erfc((tolerance - beyond / compared["mcse"]) / 2.0)
+    return 0.5 * math.erfc((tolerance * OF_TWO_SEEDS - beyond / compared["mcse"]) / 2.0)
 
 
 def compare(
