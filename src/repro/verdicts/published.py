@@ -114,7 +114,8 @@ def compare(
     claim is above no difference.
 
     A verdict is on the edge if another root seed may give another one: if moving our number by
-    `tolerance` of its standard errors does. It is as expected if the expected one is among those.
+    `tolerance` errors of a difference of two seeds' numbers does. It is as expected if the expected
+    one is among those.
     Raises ReproError, naming the `source` file, for a row without a result or a claim without row.
     """
     ours = {tuple(row[name] for name in KEYS): row for row in tables.to_dict("records")}
