@@ -149,6 +149,18 @@ def test_under_a_reading_only_what_is_read_so_is_there(results):
     assert len(size(results, "far", "mapf")) == TRIALS["far"]  # the results stay as they are
 
 
+def test_an_rmse_that_is_kept_for_the_next_claim_is_used_by_it_as_well(results):
+    def squared(runs):
+        return runs.error[:, :, 0] ** 2
+
+    view = UnderReading(results, {STUDY: {"far": "reading-b@far"}})
+    first = view.rmse(STUDY, "far", "mapf", squared, True)
+    view.used.clear()
+    assert view.rmse(STUDY, "far", "mapf", squared, True) is first
+    assert view.used == {(STUDY, "far", "mapf"): TRIALS["reading-b@far"]}
+    assert results.rmse(STUDY, "far", "mapf", squared, True).value != first.value
+
+
 @pytest.mark.parametrize(
     ("verdict", "under", "stands"),
     [

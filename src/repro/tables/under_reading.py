@@ -1,11 +1,14 @@
 """The results of a study as they are where the paper is read in another way."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
+import numpy as np
 import pandas as pd
 
 from repro.logs import Log
+from repro.statistics.metrics import Jackknife
+from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
 from repro.tables.results import Results
 
@@ -46,6 +49,20 @@ class UnderReading(Results):
         if study in self._points:
             self.used[study, point, filter_] = shards.trials
         return shards
+
+    def rmse(
+        self,
+        study: str,
+        point: str,
+        filter_: str,
+        squared: Callable[[Runs], np.ndarray],
+        average: bool,
+    ) -> Jackknife:
+        """An RMSE of a filter on a point, as it is read; one that is kept is used as well."""
+        number = super().rmse(study, point, filter_, squared, average)
+        if study in self._points:
+            self.used[study, point, filter_] = len(number.left_out)
+        return number
 
     def table(self, study: str) -> pd.DataFrame:
         """The table of a study; its points as they are read."""
