@@ -11,12 +11,12 @@ from matplotlib.patches import Patch, Rectangle
 from repro.plot import style
 from repro.plot.verdicts import BAD, WIDTH, in_words
 from repro.tables.results import Results
-from repro.verdicts.standing import NOT_RUN, OPPOSITE, STANDINGS
+from repro.verdicts.standing import NOT_RUN, OPPOSITE, STANDINGS, too_few_trials
 
 NAMES, ROW, HEADING = 2.9, 0.19, 1.5  # inches: names of the verdicts, a row, names of readings
 MOST = 99  # standard errors that a cell has room for
 CELL = "In a cell: standard errors in favour of a claim, or of a value from the printed one."
-SAME, OTHER, REVERSED = "#C7E9DF", "#EDBB55", BAD
+SAME, FEW, OTHER, REVERSED = "#C7E9DF", "#F3F0E2", "#EDBB55", BAD
 
 
 def robustness(results: Results, paper: str) -> Figure:
@@ -69,9 +69,7 @@ def _draw_row(
     for column, cell in enumerate(cells):
         if cell is None:
             continue
-        verdict = cell["verdict"]
-        is_reversed = verdict == OPPOSITE.get(row["verdict"])
-        colour = SAME if verdict == row["verdict"] else REVERSED if is_reversed else OTHER
+        colour = _colour(row["verdict"], cell["verdict"], cell["margin"])
         axes.add_patch(
             Rectangle((column - 0.46, place - 0.44), 0.92, 0.88, color=colour, lw=0, zorder=2)
         )
@@ -81,8 +79,16 @@ def _draw_row(
             ha="center",
             va="center",
             fontsize=6,
-            color="white" if is_reversed else "0.25",
+            color="white" if colour == REVERSED else "0.25",
         )
+
+
+def _colour(verdict: str, under: str, margin: float) -> str:
+    if under == verdict:
+        return SAME
+    if under == OPPOSITE.get(verdict):
+        return REVERSED
+    return FEW if too_few_trials(verdict, under, margin) else OTHER
 
 
 def _margin(kind: str, margin: float) -> str:
@@ -96,12 +102,13 @@ def _margin(kind: str, margin: float) -> str:
 def _legend(drawn: Figure, without: int) -> None:
     handles = [
         Patch(color=SAME, label="as in the ordinary run"),
+        Patch(color=FEW, label="too few trials to decide"),
         Patch(color=OTHER, label="another verdict"),
         Patch(color=REVERSED, label="the opposite one"),
     ]
     drawn.legend(
         handles=handles,
-        ncols=3,
+        ncols=4,
         fontsize=7.5,
         loc="outside lower left",
         title=CELL + f"\nNot shown: {without} verdicts that no reading concerns." * (without > 0),

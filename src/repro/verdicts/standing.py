@@ -1,5 +1,6 @@
 """What a verdict rests on: whether it is the same under every reading of its paper."""
 
+import numpy as np
 import pandas as pd
 
 OPPOSITE = {"match": "differs", "differs": "match", "holds": "fails", "fails": "holds"}
@@ -8,17 +9,22 @@ MOST = 4  # names of readings; results/robustness.csv has all
 NOT_RUN = "not run"  # the reading has no point that the claim needs
 
 
+def too_few_trials(verdict: str, under: str, margin: float) -> bool:
+    """Whether a reading leaves a decided claim undecided, but on the same side of zero."""
+    side = {"holds": -1.0, "fails": 1.0}.get(verdict, 0.0)
+    return under == "undecided" and side * margin > 0
+
+
 def standing(verdict: str, readings: pd.DataFrame) -> str:
     """What a verdict rests on, from its rows of the readings: see `robustness.COLUMNS`.
 
-    A reading that leaves a decided claim undecided changes it only if its least favourable
-    comparison is on the other side of zero: else it has too few trials to say anything.
+    A reading that has too few trials to decide changes nothing.
     """
     judged = readings.loc[readings["verdict"] != NOT_RUN]
     if judged.empty:
         return ""
-    side = {"holds": -1.0, "fails": 1.0}.get(verdict, 0.0)
-    few = (judged["verdict"] == "undecided") & (side * judged["margin"] > 0)
+    cells = zip(judged["verdict"], judged["margin"], strict=True)
+    few = np.array([too_few_trials(verdict, under, margin) for under, margin in cells])
     reversed_ = judged.loc[judged["verdict"] == OPPOSITE.get(verdict, "")]
     other = judged.loc[(judged["verdict"] != verdict) & ~few]
     if not reversed_.empty:
