@@ -44,6 +44,9 @@ def simulate(
     typed = scenario.Parameters.checked(parameters, f"{study}, {point}: parameters")
     with computing(f"{study}, {point}"):
         log = simulated(study, point, typed, seed, np.arange(*trials))
+        for topic, values in log.values.items():
+            if not np.isfinite(values).all():
+                raise ArithmeticError(f"a number of {topic} is not finite")
         write_log(
             path, selected(log, scenario.stored(typed)), scenario.period(typed), origin=origin
         )

@@ -38,13 +38,21 @@ def digests(study: str) -> list[str]:
 
 
 def _first_of_families(study: str) -> dict[str, list[str]]:
-    """The filters of the first point of each family."""
+    """The filters of the first point of each family; of a reading those that it gives settings."""
     families: dict[str, str] = {}
     for point, filters in catalogue()[study].items():
         if filters and not on_request(point):
             family, _ = reading_of(points()[study][point].family)
             families.setdefault(family, point)
-    return {point: catalogue()[study][point] for point in families.values()}
+    return {point: _filters(study, point) for point in families.values()}
+
+
+def _filters(study: str, point: str) -> list[str]:
+    every, (_, read) = catalogue()[study][point], reading_of(point)
+    if not read:
+        return every
+    changed = [f for f in every if settings(study, point, f) != settings(study, read, f)]
+    return changed or every[:1]  # of a parameter: the log is what differs
 
 
 def _statistics(study: str, shards: Shards) -> dict[str, Any]:

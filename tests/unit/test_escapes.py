@@ -43,11 +43,15 @@ def assert_shown(template, text, **given):
 def table(text):
     row = {"paper": "p", "kind": "claim", "item": text, "statement": text, "evidence": "e"}
     row |= {"verdict": "fails", "reason": text, "as_expected": True, "on_edge": False}
+    row |= {"class": "predicted", "standing": text, "seed_risk": 0.0}
     return pd.DataFrame([row])
 
 
+NO_JOINT = pd.DataFrame(columns=["paper"])
+
+
 def test_the_report_shows_items_and_reasons(text):
-    assert_shown(report_page(table(text)), text)
+    assert_shown(report_page(table(text), NO_JOINT), text)
 
 
 def assert_harmless(line):
@@ -56,10 +60,12 @@ def assert_harmless(line):
 
 
 def test_a_row_of_a_markdown_page_stays_one_row(text):
-    *_, row, end = markdown_page(table(text)).split("\n")
+    *_, row, end = markdown_page(table(text), NO_JOINT).split("\n")
     assert_harmless(row)
     cells = row.replace("\\\\", "").replace(r"\|", "").split("|")
-    assert end == "" and len(cells) == len(["", "item", "claim", "evidence", "v", "reason", ""])
+    assert end == "" and len(cells) == len(
+        ["", "item", "claim", "evidence", "class", "verdict", "standing", "reason", ""]
+    )
 
 
 def test_captions_and_titles_of_the_gallery_are_one_paragraph(text, tmp_path):

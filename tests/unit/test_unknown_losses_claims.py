@@ -12,7 +12,7 @@ RNG = np.random.default_rng(5)
 
 def test_a_share_of_right_inferences_leaves_out_the_start():
     recorded = {
-        "arrived": np.array([[0.0, 0.9, 0.2, 0.6], [1.0, 0.4, 0.4, 0.4]]),
+        "arrived": np.array([[0, 1, 0, 1], [1, 0, 0, 0]], dtype=bool),
         "gamma": np.array([[1, 1, 0, 0], [0, 0, 0, 1]], dtype=bool),
     }
     np.testing.assert_allclose(inferred_rightly(recorded), [2 / 3, 2 / 3])

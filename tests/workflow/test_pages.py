@@ -76,7 +76,7 @@ def losses(project):
     """The copy with two points of the studies of the worked example."""
     for study in ("linear_losses", "radar"):
         project.keep_values("unknown_losses", study, loss_probability=[0.3, 0.5])
-        project.keep_families("unknown_losses", study, ["loss=", "short-loss="])
+        project.keep_families("unknown_losses", study, ["loss=", "short-loss=", "markov-"])
     return project
 
 

@@ -36,13 +36,13 @@ def test_a_study_runs_end_to_end(trimmed):
 
 
 def test_a_smoke_run_is_one_point_of_each_family(project):
-    """The whole graph but claims and diff, and the filter that runs on readings alone."""
+    """The whole graph but verdicts, and filters that run on points left out alone."""
     profile = ("--profile", "profiles/smoke")
     planned = jobs_of(project.snakemake("-n", *profile))
     everything = jobs_of(project.snakemake("-n", "--config", "trials=6", "into=smoke"))
     left_out = everything.keys() - planned.keys()
     assert {n for n in left_out if not n.startswith("figures_") and "readings" not in n} == {
-        *("claims", "diff", "emvf_realised")
+        *("claims", "diff", "robustness", "emvf_realised")
     }
     assert "figures_deadband" not in left_out
     assert sum(planned.values()) < 0.8 * sum(everything.values())

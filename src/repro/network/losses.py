@@ -97,5 +97,4 @@ def log_odds(probability: np.ndarray | float) -> np.ndarray:
 
 def inferred_rightly(recorded: dict[str, np.ndarray]) -> np.ndarray:
     """Share of the steps after the first at which a filter infers gamma rightly, (trials,)."""
-    inferred = recorded["arrived"][:, 1:] > 0.5
-    return (inferred == recorded["gamma"][:, 1:]).mean(axis=1)
+    return (recorded["arrived"] == recorded["gamma"])[:, 1:].mean(axis=1)

@@ -114,7 +114,7 @@ class Block:
     def _result(self) -> BlockResult:
         history, recorded = self._history, self._channels.record()
         if "arrived" in history:
-            recorded["arrived"] = _over_steps(history.pop("arrived"))
+            recorded["arrived"] = _over_steps(history.pop("arrived")) > 0.5  # the likelier
         claimed = history.pop("variance", None)
         recorded |= {
             name.removeprefix("diagnostic "): _over_steps(steps) for name, steps in history.items()

@@ -67,7 +67,7 @@ def ended(runs: Runs) -> np.ndarray:
 def detected(runs: Runs, gamma: int) -> np.ndarray:
     """Share of the steps with this gamma at which the filter infers it, (flights,)."""
     steps = flying(runs) & (runs.recorded["gamma"] == gamma)
-    right = (runs.recorded["arrived"] > 0.5) == bool(gamma)
+    right = runs.recorded["arrived"] == bool(gamma)
     return (steps & right).sum(axis=1) / np.maximum(steps.sum(axis=1), 1)
 
 
