@@ -51,7 +51,8 @@ def _filters(study: str, point: str) -> list[str]:
     every, (_, read) = catalogue()[study][point], reading_of(point)
     if not read:
         return every
-    changed = [f for f in every if settings(study, point, f) != settings(study, read, f)]
+    both = [f for f in every if f in catalogue()[study][read]]
+    changed = [f for f in both if settings(study, point, f) != settings(study, read, f)]
     return changed or every[:1]  # of a parameter: the log is what differs
 
 
