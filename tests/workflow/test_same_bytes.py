@@ -16,11 +16,12 @@ ENVIRONMENTS = {
         "NPY_DISABLE_CPU_FEATURES": "X86_V3 X86_V4",
         "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-AVX512F",
     },
-    "without AVX-512": {
+    "without AVX-512, kernels for any x86": {
         "OPENBLAS_CORETYPE": "Haswell",
         "NPY_DISABLE_CPU_FEATURES": "X86_V4",
+        "NUMBA_CPU_NAME": "generic",
+        "NUMBA_CPU_FEATURES": "",
     },
-    "any x86": {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""},
 }
 
 
