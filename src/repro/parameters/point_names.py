@@ -4,7 +4,7 @@ import re
 
 # Points whose names begin so take minutes: they run only where they are asked for.
 ON_REQUEST = "sensitivity-"
-READING = re.compile(r"(^|-)(reading|as-printed)-")
+READING = re.compile(r"(^|-)reading-")
 OF = "@"  # <reading>@<point>: the point under that reading
 
 
