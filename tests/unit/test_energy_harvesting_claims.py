@@ -8,13 +8,12 @@ from repro import plugins
 from repro.network.energy_harvesting import lemma_1_matrix
 from repro.papers.energy_harvesting.claims.comparisons import (
     log_ratio_within,
-    more_than,
     no_more_lost,
 )
 from repro.papers.energy_harvesting.claims.remarks import of_exponentials, of_gaussians
 from repro.simulate import simulated
 from repro.statistics.shards import Columns
-from repro.verdicts.claims import overall
+from repro.verdicts.claims import most, overall
 from tests.conftest import points
 
 RUNS = 200
@@ -51,7 +50,7 @@ def test_a_filter_that_loses_more_runs_is_not_the_more_accurate(lost, expected):
 
 @pytest.mark.parametrize(("bad", "expected"), [(0, "holds"), (40, "fails"), (20, "undecided")])
 def test_a_filter_tracks_in_more_than_a_share_of_the_runs(bad, expected):
-    assert verdict([more_than("", 0.9, np.arange(RUNS) >= bad)]) == expected
+    assert verdict([most("", np.arange(RUNS) >= bad, 0.9)]) == expected
 
 
 def test_matrix_of_lemma_1_by_hand():

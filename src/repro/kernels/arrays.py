@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from repro.kernels import elementary
+from repro.kernels import elementary, normal_probability
 from repro.kernels.compiled import kernel
 
 
@@ -114,7 +114,7 @@ def cos(x: ArrayLike, out: np.ndarray | None = None) -> Any:
 @kernel
 def _normal_cdf(x, out):
     for i in range(x.size):
-        out[i] = elementary.normal_cdf(x[i])
+        out[i] = normal_probability.normal_cdf(x[i])
 
 
 def normal_cdf(x: ArrayLike, out: np.ndarray | None = None) -> Any:
@@ -125,7 +125,7 @@ def normal_cdf(x: ArrayLike, out: np.ndarray | None = None) -> Any:
 @kernel
 def _log_normal_cdf(x, out):
     for i in range(x.size):
-        out[i] = elementary.log_normal_cdf(x[i])
+        out[i] = normal_probability.log_normal_cdf(x[i])
 
 
 def log_normal_cdf(x: ArrayLike, out: np.ndarray | None = None) -> Any:

@@ -17,10 +17,10 @@ from repro.kernels.elementary import (
     exp_of_negative,
     expm1,
     log,
-    log_normal_cdf,
     log_of_normal,
     logaddexp,
 )
+from repro.kernels.normal_probability import log_normal_cdf
 
 # Distances are clipped to 1e-9 ... 1e9 m, so that every signal strength is finite.
 NEAREST_SQUARED, FARTHEST_SQUARED = 1e-18, 1e18  # m^2
@@ -141,7 +141,7 @@ def tail(a):
     """Standard normal probability beyond a >= 0, as numerator and denominator.
 
     The rational function is the best of its degrees for e^(a^2 / 2) times the probability. With a
-    division for two of them it takes a third of the time of `elementary.normal_cdf`.
+    division for two of them it takes a third of the time of `normal_probability.normal_cdf`.
     """
     a = 40.0 if a > 40.0 else a  # beyond, it is zero
     p = 0.3989422804007282 * a + 7.250628874474303

@@ -2,11 +2,10 @@
 
 import io
 import json
-import os
 import struct
 import zlib
 from pathlib import Path
-from typing import Any, NamedTuple, NoReturn
+from typing import Any, NoReturn
 
 import numpy as np
 import zstandard
@@ -101,12 +100,12 @@ class Content:
                     raise ValueError("CRC of the data section")
                 self._closed.add(Opcode.DATA_END)
             elif opcode == Opcode.FOOTER:
-                _check_summary(data, Footer.read(_stream(data, body, end)), end - CRC.size)
+                _check_summary(data, Footer.read(stream_of(data, body, end)), end - CRC.size)
                 self._closed.add(Opcode.FOOTER)
             elif opcode == Opcode.CHUNK:
                 self._walk_chunk(_chunk(memoryview(data)[body:end]))
-            elif opcode in _READ:
-                self._keep(_READ[opcode](_stream(data, body, end)))
+            elif opcode in READ:
+                self._keep(READ[opcode](stream_of(data, body, end)))
             position = end
 
     def _walk_chunk(self, chunk: Chunk) -> None:
@@ -180,47 +179,6 @@ class Content:
         return payloads, np.concatenate([_log_times(run) for run in runs])
 
 
-class Head(NamedTuple):
-    """What this project's logs say of themselves before their first message."""
-
-    provenance: dict[str, str]  # empty if it is not there
-    parameters: dict[str, Any]
-
-
-def read_head(path: str | Path) -> Head:
-    """Read the records before the first schema; the messages stay unread and unchecked.
-
-    Raises LogError in one line if the file is not a log, or if the CRC of its parameters is wrong.
-    """
-    found = Head({}, {})
-    try:
-        with Path(path).open("rb") as stream:
-            if stream.read(len(MAGIC)) != MAGIC:
-                raise ValueError("no MCAP magic")
-            left = os.fstat(stream.fileno()).st_size
-            while True:
-                opcode, length = RECORD_HEAD.unpack(stream.read(RECORD_HEAD.size))
-                if opcode not in (Opcode.HEADER, Opcode.METADATA, Opcode.ATTACHMENT):
-                    return found
-                body = stream.read(min(length, left))
-                if opcode == Opcode.HEADER:
-                    continue
-                record = _READ[opcode](_stream(body, 0, length))
-                if isinstance(record, Metadata) and record.name == PROVENANCE:
-                    found = found._replace(provenance=record.metadata)
-                elif isinstance(record, Attachment) and record.name == PARAMETERS:
-                    if CRC.unpack_from(body, length - CRC.size)[0] != zlib.crc32(body[: -CRC.size]):
-                        raise ValueError(f"CRC of {PARAMETERS}")
-                    found = found._replace(parameters=json.loads(record.data))
-    except OSError as error:
-        raise LogError(f"{path}: the log cannot be read: {error.strerror}") from None
-    except Exception as error:  # as of Content
-        raise LogError(
-            f"{path}: the log is truncated or changed ({type(error).__name__}: {error}): "
-            "generate it again"
-        ) from None
-
-
 def json_object(where: str, payload: bytes) -> dict[str, Any]:
     """A message decoded from JSON."""
     try:
@@ -274,7 +232,7 @@ def _decompressed(chunk: Chunk, zstd: zstandard.ZstdDecompressor) -> bytes:
     return data
 
 
-_READ = {  # the records that are read; the indexes are for players
+READ = {  # the records that are read; the indexes are for players
     Opcode.SCHEMA: Schema.read,
     Opcode.CHANNEL: Channel.read,
     Opcode.METADATA: Metadata.read,
@@ -282,7 +240,8 @@ _READ = {  # the records that are read; the indexes are for players
 }
 
 
-def _stream(data: bytes, start: int, end: int) -> ReadDataStream:
+def stream_of(data: bytes, start: int, end: int) -> ReadDataStream:
+    """What the functions of `READ` take."""
     return ReadDataStream(io.BytesIO(data[start:end]))
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from repro import plugins
-from repro.logs.content import Content, json_object, read_head
+from repro.logs.content import Content, json_object
 from repro.logs.format import (
     CDR_LITTLE_ENDIAN,
     ENCODING,
@@ -19,6 +19,7 @@ from repro.logs.format import (
     record_dtype,
     schema_text,
 )
+from repro.logs.head import read_head
 from repro.logs.topics import Topic, arrange, read_topics
 from repro.origin import check_origin
 from repro.parameters.values import PointParameters

@@ -103,11 +103,11 @@ def smaller(name: str, first: np.ndarray, second: np.ndarray) -> Part:
     return Part(name, float(difference.mean()), float(metrics.mean_error(difference)))
 
 
-def most(name: str, happens: np.ndarray) -> Part:
-    """More than half of the runs have it, (runs,); `difference` is one half minus their share."""
+def most(name: str, happens: np.ndarray, bound: float = 0.5) -> Part:
+    """More than this share of the runs have it, (runs,); `difference` is `bound` minus theirs."""
     share = happens.mean() if len(happens) else np.nan
     error = np.sqrt(share * (1 - share) / max(len(happens), 1))
-    return Part(f"{name} (share {share:.3f} of {len(happens)})", float(0.5 - share), float(error))
+    return Part(f"{name} (share {share:.3f} of {len(happens)})", float(bound - share), float(error))
 
 
 def below(name: str, value: float, bound: float, seed_error: float = 0.0) -> Part:

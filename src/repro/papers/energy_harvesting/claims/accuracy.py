@@ -5,7 +5,6 @@ import numpy as np
 from repro.papers.energy_harvesting.claims.comparisons import (
     FilterAt,
     best_of,
-    more_than,
     near,
     of_all_runs,
     ordered,
@@ -23,7 +22,7 @@ from repro.papers.energy_harvesting.compared import (
     study_of,
 )
 from repro.tables.results import Results
-from repro.verdicts.claims import Claim, Part, claim
+from repro.verdicts.claims import Claim, Part, claim, most
 
 CLAIMS: list[Claim] = []
 
@@ -158,7 +157,7 @@ def tracks(results: Results, study: str) -> list[Part]:
     analysis = results.analysis(study)
     error = squared(results, study, FilterAt("base", PROPOSED), "position").mean_over_steps()
     within = f"{study}: runs with an rms position error below {analysis.tracks_within:g} m"
-    return [more_than(within, analysis.tracks_share, np.sqrt(error) < analysis.tracks_within)]
+    return [most(within, np.sqrt(error) < analysis.tracks_within, analysis.tracks_share)]
 
 
 @claim(

@@ -60,13 +60,6 @@ def combination(name: str, weights: Sequence[float], errors: Sequence[Columns]) 
     )
 
 
-def more_than(name: str, share: float, happens: np.ndarray) -> Part:
-    """More than this share of the runs have it, (runs,); as `most`, which is one half of them."""
-    found = happens.mean()
-    error = np.sqrt(found * (1 - found) / len(happens))
-    return Part(f"{name}: {share:g} - {found:.3f}", float(share - found), float(error))
-
-
 def better(
     results: Results,
     study: str,
@@ -81,7 +74,7 @@ def better(
     of_each = [error.mean_over_steps() for error in errors]
     run_by_run = most(f"{name}, run by run", factor**2 * of_each[0] < of_each[1])
     if not isinstance(study_of(study), SignalStrengthStudy):
-        return [run_by_run, combination(f"{name}, all runs", (factor, -1), errors)]
+        return [run_by_run, of_all_runs(results, study, first, second, component, name, factor)]
     analysis = results.analysis(study)
     losses = [lost(results, study, filter_at) for filter_at in (first, second)]
     parts = [run_by_run, no_more_lost(name, losses, analysis.lost_margin)]
