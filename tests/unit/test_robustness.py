@@ -13,7 +13,7 @@ from repro.statistics.runs import Runs, RunsWriter
 from repro.tables.results import Results
 from repro.tables.under_reading import NotRunError, UnderReading
 from repro.verdicts import robustness
-from repro.verdicts.claims import Claim, smaller
+from repro.verdicts.claims import Claim, below, smaller
 from repro.verdicts.published import COLUMNS
 from repro.verdicts.robustness import judge
 from repro.verdicts.standing import standing
@@ -105,8 +105,8 @@ def judged(results, tmp_path, monkeypatch):
 
 
 def test_each_claim_and_value_is_judged_where_the_reading_is(judged):
-    verdicts = judged["verdict"].to_dict()
-    assert verdicts == {
+    of_readings = judged.loc[judged.index.get_level_values("reading").notna()]
+    assert of_readings["verdict"].to_dict() == {
         ("T1", "reading-a"): "differs",
         ("base-order", "reading-a"): "fails",
         ("far-order", "reading-a"): "not run",
@@ -124,6 +124,31 @@ def test_margin_trials_and_changes_are_those_of_the_reading(judged):
     assert (row["trials"], row["points"], row["changes"]) == (40, "base", "speed = 2")
     assert row["margin"] > 50
     assert judged.loc[("small", "reading-b"), "margin"] < -20
+
+
+def test_what_asks_for_no_run_needs_no_reading(judged):
+    (row,) = judged.loc[judged["verdict"] == "needs none"].reset_index().to_dict("records")
+    assert (row["item"], row["changes"]) == ("of-no-run", "exact")
+    assert standing("holds", pd.DataFrame([row])) == "needs none (exact)"
+
+
+def test_a_claim_on_parameters_is_judged_where_a_reading_changes_it(results, tmp_path, monkeypatch):
+    speed = {"base": 1.0, "far": 1.0, "reading-a": 2.0}
+    monkeypatch.setattr(Results, "parameters", lambda self, study, point: speed[point])
+
+    def slow(results):
+        return [below("speed", results.parameters(STUDY, "base"), 1.5)]
+
+    def positive(results):
+        return [below("sign", -np.sign(results.parameters(STUDY, "base")), 0.0)]
+
+    claims = SimpleNamespace(CLAIMS=[Claim("slow", "", slow), Claim("positive", "", positive)])
+    monkeypatch.setattr(robustness, "import_module", lambda name: claims)
+    pd.DataFrame(columns=COLUMNS).to_csv(tmp_path / "published.csv", index=False)
+    judge(results, "paper", READINGS, tmp_path / "published.csv", tmp_path / "judged.csv")
+    rows = pd.read_csv(tmp_path / "judged.csv").set_index("item")
+    assert rows.loc[["slow"], "verdict"].tolist() == ["fails", "not run"]
+    assert rows.loc["positive", "verdict"].tolist() == ["not run", "needs none"]
 
 
 def test_a_reading_of_filter_settings_concerns_the_claims_on_these_filters(

@@ -66,6 +66,7 @@ use rule run_filter as ekf with:
                 "pooled-*",
                 "reading-*@n0-*",
                 "reading-*@n?-arrival=0.8*",
+                "reading-loss=*",
             ],
         ),
 
@@ -102,19 +103,23 @@ use rule run_filter as emvf_realised with:
         ),
 
 
+# Of the convergence in the number of particles, on which two filters run.
+SIZES = ["particles=*", "*@particles=*"]
+
+
 use rule run_filter as mapf with:
     output:
-        runs("mapf", studies=["deadband", "saturation"], skip="particles=20000"),
+        runs("mapf", studies=["deadband", "saturation"], skip="*particles=20000"),
 
 
 use rule run_filter as mapf_nc with:
     output:
-        runs("mapf_nc", studies=["deadband", "saturation"], skip="particles=*"),
+        runs("mapf_nc", studies=["deadband", "saturation"], skip=SIZES),
 
 
 use rule run_filter as mapf_nmc with:
     output:
-        runs("mapf_nmc", studies=["deadband", "saturation"], skip="particles=*"),
+        runs("mapf_nmc", studies=["deadband", "saturation"], skip=SIZES),
 
 
 use rule run_filter as mpf with:
@@ -124,7 +129,7 @@ use rule run_filter as mpf with:
 
 use rule run_filter as dead_reckoning with:
     output:
-        runs("dead_reckoning", studies=["deadband", "saturation"], skip="particles=*"),
+        runs("dead_reckoning", studies=["deadband", "saturation"], skip=SIZES),
 
 
 use rule run_filter as pf_ross_eh with:
@@ -191,7 +196,7 @@ use rule run_filter as bkf_1 with:
         runs(
             "bkf_1",
             studies=["linear_losses", "radar", "quadrotor"],
-            skip=["particles=*", "*@particles=*"],
+            skip=["particles=*", "*@particles=*", "reading-far-*"],
         ),
 
 
@@ -200,13 +205,13 @@ use rule run_filter as bkf_2 with:
         runs(
             "bkf_2",
             studies=["linear_losses", "radar", "quadrotor"],
-            skip=["particles=*", "*@particles=*"],
+            skip=["particles=*", "*@particles=*", "reading-far-*", "reading-loss=*"],
         ),
 
 
 use rule run_filter as rbpf with:
     output:
-        runs("rbpf", studies=["linear_losses"]),
+        runs("rbpf", studies=["linear_losses"], skip=["reading-many-*", "reading-loss=*"]),
 
 
 use rule run_filter as rbpf_on_radar with:
@@ -219,7 +224,11 @@ use rule run_filter as rbpf_fast with:
         runs(
             "rbpf_fast",
             studies=["linear_losses"],
-            points=["loss=0.5", "markov-*", "particles=*", "short-*"],
+            points=[
+                *("loss=0.5", "markov-*", "particles=*", "short-*"),
+                *("reading-*@loss=0.5", "reading-*@short-*", "reading-many-*"),
+            ],
+            skip=["reading-prior=*", "reading-loss=*"],  # of BKF-II, and of BKF-I
         ),
 
 
@@ -236,7 +245,7 @@ use rule run_filter as rbpf_fast_on_radar with:
 # Algorithm 4 alone: its results are Algorithm 3's to the last bit, in an eighth of the time.
 use rule run_filter as rbpf_fast_in_flight with:
     output:
-        runs("rbpf_fast", studies=["quadrotor"]),
+        runs("rbpf_fast", studies=["quadrotor"], skip="reading-far-*"),
 
 
 use rule run_filter as exact with:
@@ -244,23 +253,28 @@ use rule run_filter as exact with:
         runs(
             "exact",
             studies=["linear_losses"],
-            points=["short-*"],
+            points=["short-*", "reading-*@short-*"],
         ),
 
 
 use rule run_filter as sir_losses with:
     output:
-        runs("sir_losses", studies=["linear_losses"], points=["loss=*", "short-*"]),
+        runs(
+            "sir_losses",
+            studies=["linear_losses"],
+            points=["loss=*", "short-*", "reading-*@loss=*"],
+            skip=["reading-prior=*", "reading-loss=*"],
+        ),
 
 
 use rule run_filter as sir_losses_on_radar with:
     output:
-        runs("sir_losses", studies=["radar"], points="markov-*"),
+        runs("sir_losses", studies=["radar"], points=["markov-*", "reading-*@markov-*"]),
 
 
 use rule run_filter as true_state with:
     output:
-        runs("true_state", studies=["quadrotor"]),
+        runs("true_state", studies=["quadrotor"], skip="reading-far-*"),
 
 
 use rule run_filter as ekf_no_loss with:

@@ -14,11 +14,11 @@ def markdown_table(
     head: Sequence[str], rows: Iterable[Sequence[str]], sides: Sequence[str] | None = None
 ) -> str:
     """A table of texts; `sides` are those that the columns are aligned to, left or right."""
-    cells = [[_cell(text) for text in row] for row in rows]
+    cells = [[markdown_cell(text) for text in row] for row in rows]
     # The texts are formatted already: 2.20 must not become 2.2.
     return tabulate(
         cells,
-        [_cell(text) for text in head],
+        [markdown_cell(text) for text in head],
         tablefmt="github",
         disable_numparse=True,
         colalign=sides,
@@ -30,7 +30,8 @@ def markdown_line(text: str) -> str:
     return BLOCK.sub(r"\\", _shown(text))
 
 
-def _cell(text: str) -> str:
+def markdown_cell(text: str) -> str:
+    """A text as a cell of a table."""
     return _shown(text).replace("|", r"\|")
 
 

@@ -1,6 +1,7 @@
 """The verdicts for a reader: tally, Markdown page, and the first page of Snakemake's report."""
 
 import string
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
@@ -11,7 +12,7 @@ from repro.atomic import atomic_write
 from repro.pages.markdown import markdown_line, markdown_table
 from repro.tables.csv_file import write_csv
 from repro.verdicts.published import CLASSES, REPRODUCED, VERDICTS, diff
-from repro.verdicts.standing import STANDINGS
+from repro.verdicts.standing import NEEDS_NONE, STANDINGS
 
 HEADS = {
     "value": ("item", "published", "ours", "standard error (ours, theirs)", "z", "allowed"),
@@ -38,7 +39,8 @@ def write_diff(
     """
     table = diff(papers, tolerance)
     write_csv(table, csv)
-    write_csv(_all(papers, "robustness"), robustness)
+    under = _all(papers, "robustness")
+    write_csv(under.loc[under["verdict"] != NEEDS_NONE], robustness)
     joint = _all(papers, "joint")
     texts = {
         markdown: markdown_page(table, joint),
@@ -62,7 +64,7 @@ def tally_lines(table: pd.DataFrame) -> list[str]:
         for kind, verdicts in VERDICTS.items():
             of_kind = rows.loc[rows["kind"] == kind]
             by_class = [
-                f"{name} {_counts(of_class['verdict'], verdicts)}"
+                f"{name} {counts(of_class['verdict'], verdicts)}"
                 for name in CLASSES
                 if len(of_class := of_kind.loc[of_kind["class"] == name])
             ]
@@ -71,8 +73,8 @@ def tally_lines(table: pd.DataFrame) -> list[str]:
             else:
                 edge = list(of_kind["on_edge"]).count(True)
                 lines.append(f"{paper} {kind}s: {'; '.join(by_class)}; {edge} on the edge")
-                words = of_kind["standing"].str.partition(" ")[0].replace("", WITHOUT)
-                standings.append(f"{kind}s {_counts(words, (*STANDINGS, WITHOUT))}")
+                words = of_kind["standing"].map(word)
+                standings.append(f"{kind}s {counts(words, (*STANDINGS, NEEDS_NONE, WITHOUT))}")
         lines.append(f"{paper} under other readings: {'; '.join(standings)}")
     unexpected = list(table["as_expected"]).count(False)
     risk = min(1.0, table["seed_risk"].sum())
@@ -83,10 +85,17 @@ def tally_lines(table: pd.DataFrame) -> list[str]:
     ]
 
 
-def _counts(found: pd.Series, kinds: Iterable[str]) -> str:
+def word(standing: str) -> str:
+    """A standing without its readings and its reason."""
+    if standing.startswith(NEEDS_NONE):
+        return NEEDS_NONE
+    return standing.partition(" ")[0] or WITHOUT
+
+
+def counts(found: Iterable[str], kinds: Iterable[str]) -> str:
     """How many are of each kind that there is."""
-    counts = found.value_counts()
-    return ", ".join(f"{counts[kind]} {kind}" for kind in kinds if kind in counts)
+    of_kind = Counter(found)
+    return ", ".join(f"{of_kind[kind]} {kind}" for kind in kinds if kind in of_kind)
 
 
 EDGE = " (on the edge)"  # another root seed may give another verdict
@@ -127,8 +136,8 @@ def sections(table: pd.DataFrame, joint: pd.DataFrame) -> Iterator[Section]:
 
 def _whole(row: Mapping[Any, Any]) -> list[str]:
     of_test = [f"{row['chi_square']:.1f}", f"{row['p_value']:.2g}"]
-    counts = [str(row["cells"]), str(row["trials"])]
-    return [row["table"], *counts, *of_test, row["farthest"], f"{row['z']:+.1f}"]
+    sizes = [str(row["cells"]), str(row["trials"])]
+    return [row["table"], *sizes, *of_test, row["farthest"], f"{row['z']:+.1f}"]
 
 
 def _verdict(row: Mapping[Any, Any]) -> str:

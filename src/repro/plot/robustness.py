@@ -28,7 +28,7 @@ def robustness(results: Results, paper: str) -> Figure:
     diff = diff.loc[diff["paper"] == paper].fillna({"standing": ""})
     under = under.loc[(under["paper"] == paper) & (under["verdict"] != NOT_RUN)]
     rank = {name: place for place, name in enumerate(reversed(STANDINGS))}
-    judged = diff.loc[diff["standing"] != ""]
+    judged = diff.loc[diff["standing"].str.partition(" ")[0].isin(STANDINGS)]
     judged = judged.assign(
         rank=[rank[text.partition(" ")[0]] for text in judged["standing"]],
         same=[
@@ -59,7 +59,7 @@ def robustness(results: Results, paper: str) -> Figure:
     axes.spines[:].set_visible(False)
     axes.set_axisbelow(True)
     axes.grid(True, color="0.92", alpha=1.0, lw=0.6)
-    _legend(drawn, list(diff["standing"] == "").count(True))
+    _legend(drawn, len(diff) - len(judged))
     return drawn
 
 

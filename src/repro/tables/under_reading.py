@@ -28,7 +28,7 @@ class UnderReading(Results):
     """Results in which each point that is read anew stands for what it is then.
 
     `used` has the studies, points and filters of the reading that have been asked for, and the
-    number of their trials.
+    number of their trials; `parameters_used` the studies and points whose parameters have been.
     """
 
     def __init__(self, results: Results, points: Mapping[str, Mapping[str, str]]):
@@ -37,6 +37,7 @@ class UnderReading(Results):
         self._rmse = {}  # of the points as they are read here
         self._points = points
         self.used: dict[tuple[str, str, str], int] = {}
+        self.parameters_used: set[tuple[str, str]] = set()
         self.catalogue = dict(results.catalogue)
         for study, of_study in points.items():
             ran = results.catalogue[study]
@@ -75,7 +76,10 @@ class UnderReading(Results):
 
     def parameters(self, study: str, point: str) -> Any:
         """The parameters of a point, as it is read."""
-        return super().parameters(study, self._as_read(study, point))
+        parameters = super().parameters(study, self._as_read(study, point))
+        if study in self._points:
+            self.parameters_used.add((study, point))
+        return parameters
 
     def _shard_of_log(self, study: str, point: str, shard: int) -> Log:
         log = super()._shard_of_log(study, self._as_read(study, point), shard)

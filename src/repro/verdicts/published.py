@@ -21,9 +21,21 @@ KEYS = ["study", "point", "filter", "metric", "component"]
 DIFF_COLUMNS = [
     *("paper", "item", "kind", *KEYS, "published", "ours", "mcse", "their_error", "allowed", "z"),
     *("allowed_percent", "margin", "class", "verdict", "standing", "evidence", "expect"),
-    *("as_expected", "on_edge", "seed_risk", "reason", "statement"),
+    *("as_expected", "on_edge", "seed_risk", "reason", "statement", "figure"),
 ]
-COLUMNS = ["item", *KEYS, "value", "digits", "kind", "class", "trials", "expect", "reason"]
+# `figure` is the script in figures/<paper>/ that shows it; empty where no figure does.
+COLUMNS = [
+    "item",
+    *KEYS,
+    "value",
+    "digits",
+    "kind",
+    "class",
+    "trials",
+    "figure",
+    "expect",
+    "reason",
+]
 # Of evidence: an exact equality or count; agreement with numbers that a parameter was chosen on; a
 # test that could have failed; one that could have, but rests on an assumed layout or horizon.
 CLASSES = ("identity", "fitted", "predicted", "conditional")
@@ -148,6 +160,7 @@ def compare(
             seed_risk = risk(row["expect"], {name: parts[name].to_numpy() for name in RISKS})
         of_item = None if robustness is None else robustness.loc[robustness["item"] == item]
         yield compared | {
+            "figure": row["figure"],
             "expect": row["expect"],
             "as_expected": row["expect"] in possible,
             "seed_risk": seed_risk,

@@ -7,6 +7,7 @@ OPPOSITE = {"match": "differs", "differs": "match", "holds": "fails", "fails": "
 STANDINGS = ("robust", "open", "conditional", "reversed")  # how `standing` begins
 MOST = 4  # names of readings; results/robustness.csv has all
 NOT_RUN = "not run"  # the reading has no point that the claim needs
+NEEDS_NONE = "needs none"  # what no run and no reading concern: a count, a time measured elsewhere
 
 
 def too_few_trials(verdict: str, under: str, margin: float) -> bool:
@@ -18,8 +19,12 @@ def too_few_trials(verdict: str, under: str, margin: float) -> bool:
 def standing(verdict: str, readings: pd.DataFrame) -> str:
     """What a verdict rests on, from its rows of the readings: see `robustness.COLUMNS`.
 
-    A reading that has too few trials to decide changes nothing.
+    A reading that has too few trials to decide changes nothing; of what no reading can concern the
+    row `changes` says why.
     """
+    none = readings.loc[readings["verdict"] == NEEDS_NONE]
+    if not none.empty:
+        return f"{NEEDS_NONE} ({none['changes'].iloc[0]})"
     judged = readings.loc[readings["verdict"] != NOT_RUN]
     if judged.empty:
         return ""

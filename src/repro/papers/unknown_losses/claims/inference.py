@@ -28,7 +28,8 @@ INFERRED: dict[str, Share] = {
 
 def inferred(results: Results, study: str) -> Iterator[tuple[float, str, np.ndarray]]:
     """Loss probability, name, and share of steps that it infers rightly, of each filter and p."""
-    for p, point in swept(results.catalogue, study).items():
+    for point in swept(results.catalogue, study).values():
+        p = results.parameters(study, point).loss_probability
         for name in proposed_filters(results.catalogue, study, point):
             yield p, name, results.each(study, point, name, INFERRED[study])
 
