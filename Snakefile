@@ -35,6 +35,7 @@ localrules:
     leaderboard,
     manifest,
     packet_example,
+    paper_verdicts,
     parameters,
     seeds,
     timings,

@@ -78,6 +78,10 @@ class Layout:
         """Estimates of a filter on a log recorded elsewhere."""
         return self._at("user_log", f"{filter_}.csv")
 
+    def verdicts(self, paper="{paper}") -> str:
+        """Page of a paper: what of it holds, figure by figure; docs/verdicts has it as well."""
+        return self._at("verdicts", f"{paper}.md")
+
     def page(self, name: str) -> str:
         """A single file of the whole run: diff.csv, manifest.json ..."""
         return self._at(name)

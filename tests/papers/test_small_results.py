@@ -284,8 +284,8 @@ def test_claims_are_decided_and_every_published_row_has_a_verdict(name, judged):
 
 
 @pytest.mark.parametrize("name", PAPERS)
-def test_the_page_of_assumptions(name, small):
-    built = small(name)
+def test_the_page_of_assumptions(name, judged):
+    built = judged(name)
     layout = built.results.layout
     studies = plain(built.paper)
     files = {
@@ -294,9 +294,13 @@ def test_the_page_of_assumptions(name, small):
         "studies": studies,
         "tables": {study: layout.table(study) for study in studies},
     }
-    write_assumptions({name: files}, RUN.tolerance, layout.page("assumptions.md"))
+    verdicts = (layout.page("diff.csv"), layout.page("robustness.csv"))
+    write_assumptions({name: files}, RUN.tolerance, layout.page("assumptions.md"), *verdicts)
     page = Path(layout.page("assumptions.md")).read_text()
     assert f"## {name}" in page and "| study " in page
+    readings = {reading for points in studies.values() for reading in readings_of(points)}
+    told = [r for r in readings if not on_request(r) and f"| {r.removeprefix('reading-')} " in page]
+    assert len(told) == len([r for r in readings if not on_request(r)]) > 0
 
 
 @pytest.mark.parametrize("script", SCRIPTS)

@@ -9,6 +9,11 @@ def figure_script(name):
     return script
 
 
+def figure_scripts(paper):
+    """The scripts of a paper's figures."""
+    return sorted(str(path) for path in Path("figures", paper).glob("*.py"))
+
+
 def needs(name):
     """What a figure's script says that it reads."""
     return constants(figure_script(name))["NEEDS"]

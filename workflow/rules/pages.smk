@@ -4,6 +4,7 @@ rule assumptions:
         files=PARAMETER_FILES,
         published=[f"params/published/{paper}.csv" for paper in JUDGED],
         tables=[LAYOUT.table(study) for study in STUDIES],
+        verdicts=[] if SMOKE else [rules.diff.output.csv, rules.diff.output.robustness],
     output:
         LAYOUT.page("assumptions.md"),
     log:
@@ -21,10 +22,36 @@ rule assumptions:
             for paper, content in PAPERS.items()
             if paper in JUDGED
         },
+        verdicts=(
+            {}
+            if SMOKE
+            else {"diff": LAYOUT.page("diff.csv"), "robustness": LAYOUT.page("robustness.csv")}
+        ),
         tolerance=RUN.tolerance,
         code=code("repro.pages.assumptions"),
     script:
         "../scripts/assumptions.py"
+
+
+# The same bytes as docs/verdicts, which is committed: cp results/verdicts/*.md docs/verdicts/
+rule paper_verdicts:
+    input:
+        diff=LAYOUT.page("diff.csv"),
+        joint=LAYOUT.joint(),
+        scripts=lambda wildcards: figure_scripts(wildcards.paper),
+    output:
+        LAYOUT.verdicts(),
+    log:
+        LAYOUT.job_log("paper_verdicts", "{paper}"),
+    conda:
+        ENVIRONMENT
+    params:
+        title=lambda wildcards: (
+            f"{PAPERS[wildcards.paper].authors}: {PAPERS[wildcards.paper].title}"
+        ),
+        code=code("repro.pages.paper_verdicts"),
+    script:
+        "../scripts/paper_verdicts.py"
 
 
 rule gallery:
@@ -50,6 +77,7 @@ rule manifest:
         tables=[
             [] if SMOKE else [rules.diff.output, rules.diff.input.claims],
             [] if SMOKE else [rules.diff.input.facts, rules.diff.input.joint],
+            [] if SMOKE else [LAYOUT.verdicts(paper) for paper in JUDGED],
             rules.diff.input.tables,
             rules.parameters.output,
             rules.assumptions.output,

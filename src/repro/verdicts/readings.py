@@ -1,89 +1,39 @@
-"""Other readings of a paper: what each changes, and what comes out under it."""
+"""Which numbers another reading of a paper moves, and how far."""
 
-from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from collections.abc import Iterator
 
 import numpy as np
 import pandas as pd
 
-from repro.parameters.point_names import is_reading
-from repro.parameters.readings import Points, base_of
+from repro.parameters.readings import Points, readings_of
 from repro.statistics.paired import independent_error
-from repro.verdicts.published import KEYS, compare_value
+from repro.verdicts.published import KEYS
 
-IDENTITY = ("filter", "metric", "component")  # of a statistic of a point
-
-
-class Reading(NamedTuple):
-    """One statistic of one filter under a reading, and under the point that it is a reading of."""
-
-    changes: dict[str, Any]  # values of the reading that differ from the base
-    base: str  # the point
-    filter: str
-    metric: str
-    component: str
-    base_value: float
-    base_mcse: float
-    value: float
-    mcse: float
-    z: float  # difference to the base in standard errors of both
-    published: str  # as printed; empty if the paper has no value for the base
-    base_verdict: str  # against the published value, or empty
-    verdict: str
+IDENTITY = KEYS[2:]  # of a statistic of a point: filter, metric and component
 
 
-def readings(
-    table: pd.DataFrame, published: pd.DataFrame, points: Points, tolerance: float
-) -> Iterator[Reading]:
-    """The statistics of a study's table that a reading changes.
+def moved(
+    table: pd.DataFrame, published: pd.DataFrame, points: Points
+) -> Iterator[tuple[str, float]]:
+    """Reading, and difference to the base in standard errors of both, of each number it changes.
 
-    These are the ones with a published value, and those of the table's first metric.
+    The numbers are those of the study's `table` that have a published value, and those of the
+    table's first metric; what is the same under the reading, it does not concern.
     """
-    printed = {
-        tuple(row[key] for key in KEYS[1:]): row
-        for row in published.to_dict("records")
-        if row["kind"] == "value"
-    }
+    values = published.loc[published["kind"] == "value"]
+    printed = set(values[KEYS[1:]].itertuples(index=False, name=None))
     first_metric = table["metric"].iloc[0]
     statistics: dict[str, dict[tuple[str, ...], dict]] = {}
     for row in table.to_dict("records"):
         key = tuple(row[name] for name in IDENTITY)
         statistics.setdefault(row["point"], {})[key] = row
-    for point in points:
-        if not is_reading(point):
-            continue
-        base, changes = base_of(point, points)
-        at_base = statistics.get(base, {})
-        for key, ours in statistics.get(point, {}).items():
-            there = at_base.get(key)
-            if there is None or there["value"] == ours["value"]:
-                continue  # the reading does not concern this filter
-            row = printed.get((base, *key))
-            if row is None and key[1] != first_metric:
-                continue
-            yield Reading(
-                changes,
-                base,
-                *key,
-                base_value=there["value"],
-                base_mcse=there["mcse"],
-                value=ours["value"],
-                mcse=ours["mcse"],
-                z=float(
-                    np.divide(
-                        ours["value"] - there["value"],
-                        independent_error(ours["mcse"], there["mcse"]),
-                    )
-                ),
-                published="" if row is None else row["value"],
-                base_verdict=_verdict(row, there, tolerance),
-                verdict=_verdict(row, ours, tolerance),
-            )
-
-
-def _verdict(row: Mapping[str, str] | None, ours: Mapping[str, Any], tolerance: float) -> str:
-    if row is None:
-        return ""
-    return compare_value(
-        float(row["value"]), int(row["digits"]), int(row["trials"]), ours, tolerance
-    )["verdict"]
+    for reading, of_reading in readings_of(points).items():
+        for base, point in of_reading["points"].items():
+            at_base = statistics.get(base, {})
+            for key, ours in statistics.get(point, {}).items():
+                there = at_base.get(key)
+                if there is None or there["value"] == ours["value"]:
+                    continue
+                if key[1] == first_metric or (base, *key) in printed:
+                    error = independent_error(ours["mcse"], there["mcse"])
+                    yield reading, float(np.divide(ours["value"] - there["value"], error))
