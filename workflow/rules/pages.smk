@@ -50,6 +50,7 @@ rule manifest:
         tables=[
             [] if SMOKE else [rules.diff.output, rules.diff.input.claims],
             [] if SMOKE else [rules.diff.input.facts, rules.diff.input.joint],
+            [] if SMOKE else [rules.tails.output, rules.convergence.output, rules.mismatch.output],
             rules.diff.input.tables,
             rules.parameters.output,
             rules.assumptions.output,
