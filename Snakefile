@@ -18,6 +18,8 @@ include: "workflow/rules/papers/unknown_losses.smk"
 include: "workflow/rules/results.smk"
 include: "workflow/rules/calibration.smk"
 include: "workflow/rules/ranking.smk"
+include: "workflow/rules/own_points.smk"
+include: "workflow/rules/own_tables.smk"
 include: "workflow/rules/pages.smk"
 include: "workflow/rules/seeds.smk"
 
@@ -50,6 +52,7 @@ rule all:
     input:
         LAYOUT.page("manifest.json"),
         LAYOUT.page("leaderboard.md"),
+        [] if SMOKE else rules.cost.output,
 
 
 onstart:

@@ -62,6 +62,22 @@ class Layout:
         """Each printed table of a paper against ours as a whole."""
         return self._at("joint", f"{paper}.csv")
 
+    def tails(self, study="{study}") -> str:
+        """What the means of a study hide: lost runs, quantiles, the weight of the worst runs."""
+        return self._at("tails", f"{study}.csv")
+
+    def convergence(self, study="{study}") -> str:
+        """Errors of a study over the number of particles."""
+        return self._at("convergence", f"{study}.csv")
+
+    def mismatch(self, study="{study}") -> str:
+        """Errors of a study whose filters take a parameter for another than it is."""
+        return self._at("mismatch", f"{study}.csv")
+
+    def cost(self, study="{study}", ending="csv") -> str:
+        """Errors of a study over the CPU time that they took on this machine."""
+        return self._at("cost", f"{study}.{ending}")
+
     def of_seed(self, seed: Number = "{seed}") -> str:
         """The diff with another root seed; without its ending, the folder that it is made in."""
         return self._at("seeds", f"{seed}.csv")

@@ -23,7 +23,7 @@ from repro.pages.assumptions import write_assumptions
 from repro.pages.leaderboard import write_leaderboard
 from repro.pages.verdicts import write_diff
 from repro.parameters.load import Paper, Point, load_paper, load_run
-from repro.parameters.point_names import batch_of, on_request
+from repro.parameters.point_names import batch_of, is_common
 from repro.parameters.readings import readings_of
 from repro.plot import study_figures, style
 from repro.plot.draw import draw
@@ -78,7 +78,8 @@ def with_own(points: dict[str, list[str]], families: dict[str, str]) -> dict[str
 SCRIPTS = [
     pytest.param(script, id=f"{script.parent.name}/{script.stem}")
     for script in sorted((ROOT / "figures").glob("*/*.py"))
-    if not constants(str(script))["NEEDS"].get("on_request")
+    # Points of tables of their own do not run here: tests/unit/test_own_tables.py draws of those.
+    if not {"on_request", "convergence", "mismatch"} & constants(str(script))["NEEDS"].keys()
 ]
 OF_PAPER = ("claims", "facts", "joint", "robustness")
 DIFF = {"csv": "diff.csv", "markdown": "diff.md", "report": "diff.rst", "tally": "tally.txt"} | {
@@ -123,7 +124,7 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> Build:
         paper = load_paper(ROOT / f"params/{name}.yaml")
         points = {
             study: with_own(
-                {p: filters for p, filters in catalogue()[study].items() if not on_request(p)},
+                {p: filters for p, filters in catalogue()[study].items() if is_common(p)},
                 {p: at.family for p, at in of_study.items()},
             )
             for study, of_study in paper.studies.items()

@@ -12,7 +12,7 @@ import numpy as np
 
 from repro import plugins
 from repro.parameters.load import load_paper
-from repro.parameters.point_names import on_request, reading_of
+from repro.parameters.point_names import is_common, reading_of
 from repro.runner import run
 from repro.statistics.shards import Shards
 from tests.conftest import ROOT, catalogue, points, settings, small_log
@@ -41,7 +41,7 @@ def _first_of_families(study: str) -> dict[str, list[str]]:
     """The filters of the first point of each family; of a reading those that it gives settings."""
     families: dict[str, str] = {}
     for point, filters in catalogue()[study].items():
-        if filters and not on_request(point):
+        if filters and is_common(point):
             family, _ = reading_of(points()[study][point].family)
             families.setdefault(family, point)
     return {point: _filters(study, point) for point in families.values()}

@@ -27,7 +27,7 @@ from repro.parameters.load import (
     user_values,
     whose_logs,
 )
-from repro.parameters.point_names import is_reading
+from repro.parameters.point_names import is_plain, is_reading, own_table
 from repro.parameters.readings import readings_of
 from repro.workflow.code import code_digest, code_files, constants, source_digest
 from repro.workflow.lock import hold, runs_jobs, sweep
@@ -132,16 +132,19 @@ def code(*modules):
     return reached_code
 
 
-def results_of(studies, requested=False):
-    """Parameter: how a job finds what other jobs have left of the studies: Results(**this)."""
+def results_of(studies, requested=False, table=""):
+    """Parameter: how a job finds what other jobs have left of the studies: Results(**this).
+
+    Which points it knows of: see `Registry.catalogue`.
+    """
     return {
         "root": str(LAYOUT.root),
-        "catalogue": REGISTRY.catalogue(*studies, requested=requested),
+        "catalogue": REGISTRY.catalogue(*studies, requested=requested, table=table),
         "shards": RUN.shards,
         "studies": {study: DESCRIBED[study] for study in studies},
         "own_filters": REGISTRY.own_filters(RANKED),
         "tolerance": RUN.tolerance,
-        "origins": {study: origins(study, requested) for study in studies},
+        "origins": {study: origins(study, requested, table) for study in studies},
     }
 
 

@@ -43,7 +43,8 @@ def is_drawn(name):
         return True
     points = needed.get("points", {})
     ran = REGISTRY.catalogue(*points)
-    whole = needed.get("diff") or needed.get("tables")  # of more than one point of a family
+    # Of more than one point of a family.
+    whole = any(map(needed.get, ("diff", "tables", "convergence", "mismatch")))
     return not whole and all(ran[s].keys() >= {*points[s]} for s in points)
 
 
@@ -66,6 +67,8 @@ def sheet(name):
         return "leaderboard"
     if needed.get("diff"):
         return "verdicts"
+    if needed.get("convergence") or needed.get("mismatch"):
+        return "own_tables"
     return "_".join(studies_read([name])) or "of_no_study"
 
 
@@ -95,6 +98,8 @@ def figure_inputs(names):
         found += [LAYOUT.curves(study) for study in tables if study in STUDIES]
         for study, points in needed.get("points", {}).items():
             found += [*REGISTRY.log_files(study, points), *REGISTRY.run_files(study, points)]
+        found += [LAYOUT.convergence(study) for study in needed.get("convergence", [])]
+        found += [LAYOUT.mismatch(study) for study in needed.get("mismatch", [])]
         found += needed.get("measured", [])
         found += [LAYOUT.calibration(f"{name}.csv") for name in needed.get("calibration", [])]
         if needed.get("leaderboard"):

@@ -58,8 +58,9 @@ def runs_made_with(name, study, point):
     return digest(log_made_with(study, point), settings, estimation)
 
 
-def origins(study, requested=False):
+def origins(study, requested=False, table=""):
     """What the results of each point of a study must come from."""
+    catalogue = REGISTRY.catalogue(study, requested=requested, table=table)[study]
     return {
         point: {
             "trials": STUDIES[study][point].parameters.trials,
@@ -67,7 +68,7 @@ def origins(study, requested=False):
             "log": log_made_with(study, point),
             "filters": {name: runs_made_with(name, study, point) for name in filters},
         }
-        for point, filters in REGISTRY.catalogue(study, requested=requested)[study].items()
+        for point, filters in catalogue.items()
     }
 
 

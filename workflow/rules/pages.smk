@@ -78,6 +78,7 @@ rule manifest:
             [] if SMOKE else [rules.diff.output, rules.diff.input.claims],
             [] if SMOKE else [rules.diff.input.facts, rules.diff.input.joint],
             [] if SMOKE else [LAYOUT.verdicts(paper) for paper in JUDGED],
+            [] if SMOKE else [rules.tails.output, rules.convergence.output, rules.mismatch.output],
             rules.diff.input.tables,
             rules.parameters.output,
             rules.assumptions.output,

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 from repro.parameters.paper_file import Family, StudySection, plain
-from repro.parameters.point_names import OF, is_reading
+from repro.parameters.point_names import OF, is_plain
 from repro.parameters.values import ParameterError
 
 FOLDER = re.compile(r"[^./{}][^/{}]{0,199}")  # what the name of a point may be
@@ -36,7 +36,7 @@ def resolved(
         base = Resolved("", plain(section.parameters), settings, "", {})
         yield from _swept(family, base, where)
         return
-    read = [p for name, p in above.items() if not is_reading(name) and _matches(name, family.of)]
+    read = [p for name, p in above.items() if is_plain(name) and _matches(name, family.of)]
     if not read:
         raise ParameterError(f"{where}: of: no point above matches {', '.join(family.of)}")
     for base in read:

@@ -17,8 +17,8 @@ from repro.parameters.paper_file import (
     every_value,
     plain,
 )
-from repro.parameters.point_names import is_reading, on_request
-from repro.parameters.settings import checked_settings
+from repro.parameters.point_names import is_plain, on_request, own_table
+from repro.parameters.settings import assumed_parameters, checked_settings
 from repro.parameters.values import ParameterError, PointParameters, Positive, Values
 from repro.parameters.yaml_file import check_plain, parsed, read_yaml
 
@@ -114,10 +114,10 @@ class Run(Values):
 
 
 def first_of_families(points: Mapping[str, Point]) -> list[str]:
-    """The first point of each family that is no reading of another."""
+    """The first point of each family of the paper's own points."""
     first: dict[str, str] = {}
     for name, point in points.items():
-        if not is_reading(name):
+        if is_plain(name):
             first.setdefault(point.family, name)
     return list(first.values())
 
@@ -126,12 +126,13 @@ def whose_logs(points: Mapping[str, Point]) -> dict[str, str]:
     """The point whose log each point reads: the first that is simulated with the same values.
 
     Points that differ in the settings of filters alone share one log. A point on request lends its
-    log to others on request only, for an ordinary run does not simulate it.
+    log to others on request only, for an ordinary run does not simulate it; one of a table of its
+    own lends it to others of such tables only.
     """
     first: dict[str, str] = {}  # by the values
     return {
         name: first.setdefault(json.dumps(points[name].parameters.plain(), sort_keys=True), name)
-        for name in sorted(points, key=on_request)
+        for name in sorted(points, key=lambda point: (on_request(point), bool(own_table(point))))
     }
 
 
@@ -157,6 +158,10 @@ def load_paper(path: str | Path) -> Paper:
                     raise ParameterError(f"{here}: two points have this name; rename one")
                 found[point.name] = point
                 settings = point.filters.items()
+                for filter_, values in settings:
+                    if assumed := assumed_parameters(values):
+                        wrong = f"{here}: filters.{filter_}: assumed values"
+                        study.Parameters.checked(point.parameters | assumed, wrong)
                 studies[name][point.name] = Point(
                     study.Parameters.checked(point.parameters, f"{here}: parameters"),
                     {f: checked_settings(f, s, f"{here}: filters.{f}") for f, s in settings},

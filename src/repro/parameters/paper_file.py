@@ -36,7 +36,7 @@ Entries = dict[str, Sourced]
 class Family(WithSource):
     """Points that differ in the swept values alone, named after them."""
 
-    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9_.={}+-]+$")]
+    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9_.={}\[\]+-]+$")]
     # Every combination of the values of these keys. A key is a parameter, or a setting written
     # filter.setting; keys joined by commas take the same value.
     sweep: dict[str, Annotated[list[Any], Field(min_length=1)]] = Field(default_factory=dict)

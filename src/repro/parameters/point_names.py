@@ -6,6 +6,8 @@ import re
 ON_REQUEST = "sensitivity-"
 READING = re.compile(r"(^|-)reading-")
 OF = "@"  # <reading>@<point>: the point under that reading
+# What points are for whose names begin so: a table of its own, and no other table, claim or figure.
+OWN_TABLES = ("convergence", "mismatch")
 
 
 def is_reading(point: str) -> bool:
@@ -24,8 +26,24 @@ def on_request(point: str) -> bool:
     return point.startswith(ON_REQUEST)
 
 
+def own_table(point: str) -> str:
+    """`convergence` or `mismatch` if the point is for that table alone; else nothing."""
+    first, _, _ = point.partition("-")
+    return first if first in OWN_TABLES else ""
+
+
+def is_common(point: str) -> bool:
+    """Whether the tables, claims and figures of a study have the point."""
+    return not (on_request(point) or own_table(point))
+
+
+def is_plain(point: str) -> bool:
+    """Whether the point is the paper's own: no reading, and of no table of its own."""
+    return not (is_reading(point) or own_table(point))
+
+
 def batch_of(point: str) -> str:
     """The points of a study of one batch are simulated, and filtered, in one job."""
     if on_request(point):
         return "requested"
-    return "readings" if is_reading(point) else "main"
+    return own_table(point) or ("readings" if is_reading(point) else "main")

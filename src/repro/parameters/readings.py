@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from repro.parameters.point_names import is_reading, reading_of
+from repro.parameters.point_names import is_plain, is_reading, reading_of
 
 NOT_ASSUMED = {"trials"}  # differs between points without being an assumption about the paper
 
@@ -38,7 +38,7 @@ def base_of(point: str, points: Points) -> tuple[str, dict[str, Any]]:
     _, read = reading_of(point)
     changes = {}
     for other, content in points.items():
-        if other == read or not (read or is_reading(other)):
+        if other == read or (not read and is_plain(other)):
             base_values = _flat(content)
             changes[other] = {k: v for k, v in values.items() if base_values.get(k) != v}
     base = min(changes, key=lambda other: len(changes[other]))

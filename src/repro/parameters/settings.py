@@ -118,11 +118,29 @@ SETTINGS: dict[str, type[Values]] = {
 }
 
 
+ASSUMED = "assumed_"  # begins a setting that any filter may have, and so a wrong model
+
+
+def assumed_parameters(settings: Mapping[str, Any]) -> dict[str, Any]:
+    """The parameters of the point that the filter takes for others: `assumed_<parameter>`."""
+    return {
+        name.removeprefix(ASSUMED): value
+        for name, value in settings.items()
+        if name.startswith(ASSUMED)
+    }
+
+
+def own_settings(settings: Mapping[str, Any]) -> dict[str, Any]:
+    """The settings that the filter itself knows."""
+    return {name: value for name, value in settings.items() if not name.startswith(ASSUMED)}
+
+
 def checked_settings(filter_: str, values: Mapping[str, Any], where: str) -> dict[str, Any]:
     """The settings as JSON has them; checked, if the filter is one of the papers'."""
     if filter_ not in SETTINGS:
         return dict(values)
-    return SETTINGS[filter_].checked(values, where).plain()
+    assumed = {name: value for name, value in values.items() if name.startswith(ASSUMED)}
+    return SETTINGS[filter_].checked(own_settings(values), where).plain() | assumed
 
 
 class PlainSettings(dict[str, Any]):

@@ -12,7 +12,12 @@ from repro.atomic import atomic_write
 from repro.errors import ReproError, computing
 from repro.filters import Filter
 from repro.logs import Log, read_log
-from repro.parameters.settings import PlainSettings, typed_settings
+from repro.parameters.settings import (
+    PlainSettings,
+    assumed_parameters,
+    own_settings,
+    typed_settings,
+)
 from repro.runner.block import Block
 from repro.runner.faults import Inside, Progress, Task
 from repro.statistics.runs import Runs, RunsWriter
@@ -23,14 +28,15 @@ from repro.studies import ClosedLoop, Study
 def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, Runs]:
     """Estimates (trials, steps, n) and runs of a filter on every trial of a log.
 
-    `filter_` is a name, or whatever has LABEL, SEES and build. Without /truth in the log the
-    errors are NaN. Raises ReproError if the filter breaks its contract.
+    `filter_` is a name, or whatever has LABEL, SEES and build. Settings `assumed_<parameter>` give
+    it a model with other parameters than the log's. Without /truth in the log the errors are NaN.
+    Raises ReproError if the filter breaks its contract.
     """
     study, name, module = plugins.study(log.study), *plugins.named_filter(filter_)
     task = Task(name, f"{log.study}, {log.point}")
     with computing(f"{log.study}, {log.point}"):
-        model = study.model(log.parameters)
-    typed = typed_settings(module, name, settings, str(task))
+        model = study.model(_as_assumed(log.parameters, assumed_parameters(settings), str(task)))
+    typed = typed_settings(module, name, own_settings(settings), str(task))
     built = build(task, module, model, typed)
     size = max(1, study.systems_per_block // built.particles)
     progress = Progress(task, len(log.trials))
@@ -68,6 +74,13 @@ def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, R
         },
         flown=flown,
     )
+
+
+def _as_assumed(parameters: Any, assumed: dict[str, Any], where: str) -> Any:
+    """The parameters that the filter takes the point's for: the log is made with the true ones."""
+    if not assumed:
+        return parameters
+    return type(parameters).checked(parameters.plain() | assumed, f"{where}: assumed values")
 
 
 def build(task: Task, module: Any, model: Any, settings: Any) -> Filter:

@@ -106,10 +106,12 @@ class Results:
         log = self._read_log(self._log_file(study, point, shard), origin=expected)
         return log._replace(point=point)
 
+    def log_of(self, study: str, point: str) -> str:
+        """The point whose log a point reads, which may be another with the same values."""
+        return self._origins[study][point]["log_of"] if self._origins else point
+
     def _log_file(self, study: str, point: str, shard: int) -> str:
-        """The log of a point, which may be that of another with the same values."""
-        log_of = self._origins[study][point]["log_of"] if self._origins else point
-        return self.layout.log(study, log_of, shard)
+        return self.layout.log(study, self.log_of(study, point), shard)
 
     def each(
         self, study: str, point: str, filter_: str, quantity: Callable[[Runs], np.ndarray]
@@ -173,6 +175,14 @@ class Results:
     def table(self, study: str) -> pd.DataFrame:
         """The table of a study, in long form."""
         return pd.read_csv(self.layout.table(study))
+
+    def convergence(self, study: str) -> pd.DataFrame:
+        """The errors of a study over the number of particles."""
+        return pd.read_csv(self.layout.convergence(study))
+
+    def mismatch(self, study: str) -> pd.DataFrame:
+        """The errors of a study with parameters that the filters take for others."""
+        return pd.read_csv(self.layout.mismatch(study))
 
     def curves(self, study: str) -> pd.DataFrame:
         """The curves over k of a study, in long form."""

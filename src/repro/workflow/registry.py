@@ -11,7 +11,7 @@ from repro.atomic import atomic_write
 from repro.errors import ReproError
 from repro.layout import Catalogue, Layout
 from repro.parameters.load import Point
-from repro.parameters.point_names import batch_of, on_request
+from repro.parameters.point_names import batch_of, is_common, own_table
 
 # The wildcards of a filter's output: see Registry.runs.
 OUTPUT = re.compile(r"\{study,(?P<studies>[\w|]+)\}.*\{filter,(?P<filter>[\w|]+)\}")
@@ -75,6 +75,8 @@ class Registry:
     ) -> str:
         """Output of a filter's rule; registers the filter on the matching points of the studies.
 
+        On a point of a table of its own (see `own_table`) a filter runs if the point's family
+        sweeps a setting of it, whatever the patterns.
         Raises ReproError for an unknown filter or study, for a pattern that no point matches, and
         for a study on which another rule runs the filter.
         """
@@ -91,15 +93,24 @@ class Registry:
                     f"filter {name}: two rules run it on {study}; "
                     "fix the name or studies in runs(...) of one of them"
                 )
-            matching = matching_points(self._filters[study], points, skip)
+            common = [point for point in self._filters[study] if not own_table(point)]
+            matching = matching_points(common, points, skip)
             if not matching:
                 raise ReproError(
                     f"filter {name}: no point of {study} matches {points}; fix the pattern"
                 )
-            for point in matching:
+            for point in [*matching, *self._swept(name, study)]:
                 if point not in self._left_out.get(study, ()):
                     self._filters[study][point].append(name)
         return self._layout.run(**_only(name, studies))
+
+    def _swept(self, name: str, study: str) -> list[str]:
+        """Points of tables of their own that sweep a setting of the filter."""
+        return [
+            point
+            for point in filter(own_table, self._filters[study])
+            if name in swept_filters(self._points[study][point].swept)
+        ]
 
     def listed(self, study: str, names: Sequence[str]) -> str:
         """Output of the rule of the filters that a study lists for all of its points."""
@@ -156,27 +167,36 @@ class Registry:
         )
         return [name for name in dict.fromkeys(names) if name not in known]
 
-    def catalogue(self, *studies: str, requested: bool = False) -> Catalogue:
+    def catalogue(self, *studies: str, requested: bool = False, table: str = "") -> Catalogue:
         """Filters by study and point, without points that have none.
 
-        Points on request are left out unless they are `requested`.
+        Points on request, and those of tables of their own, are left out unless they are
+        `requested`, or of that `table`.
         """
         return {
             study: {
                 point: filters
                 for point, filters in self._filters[study].items()
-                if filters and (requested or not on_request(point))
+                if filters
+                and (requested or is_common(point) or (table and own_table(point) == table))
             }
             for study in studies
         }
 
     def run_files(
-        self, study: str, points: Collection[str] | None = None, requested: bool = False
+        self,
+        study: str,
+        points: Collection[str] | None = None,
+        requested: bool = False,
+        table: str = "",
     ) -> list[str]:
-        """Files that hold the runs of all filters on the given (or all) points of a study."""
+        """Files that hold the runs of all filters on the given (or all) points of a study.
+
+        Which points these are at most: see `catalogue`.
+        """
         batches = {
             (batch_of(point), name): None
-            for point, filters in self._chosen(study, points, requested)
+            for point, filters in self._chosen(study, points, requested, table)
             for name in filters
         }
         return [
@@ -185,9 +205,12 @@ class Registry:
             for shard in self._shards
         ]
 
-    def log_files(self, study: str, points: Collection[str] | None = None) -> list[str]:
-        """Logs of the given (or all) points of a study that a filter runs on."""
-        of_points = dict.fromkeys(self.log_of(study, p) for p, _ in self._chosen(study, points))
+    def log_files(
+        self, study: str, points: Collection[str] | None = None, table: str = ""
+    ) -> list[str]:
+        """Logs of the given (or all) points of a study that a filter runs on: see `catalogue`."""
+        chosen = self._chosen(study, points, table=table)
+        of_points = dict.fromkeys(self.log_of(study, p) for p, _ in chosen)
         return [self._layout.log(study, p, shard) for p in of_points for shard in self._shards]
 
     def log_of(self, study: str, point: str) -> str:
@@ -208,10 +231,20 @@ class Registry:
         return [p for p in filters if name in filters[p] and batch_of(p) == batch]
 
     def _chosen(
-        self, study: str, points: Collection[str] | None, requested: bool = False
+        self,
+        study: str,
+        points: Collection[str] | None,
+        requested: bool = False,
+        table: str = "",
     ) -> list[tuple[str, list[str]]]:
-        of_study = self.catalogue(study, requested=requested)[study]
+        of_study = self.catalogue(study, requested=requested, table=table)[study]
         return [(p, filters) for p, filters in of_study.items() if points is None or p in points]
+
+
+def swept_filters(swept: Mapping[str, Any]) -> set[str]:
+    """The filters of which a family sweeps a setting, written filter.setting."""
+    keys = [key for several in swept for key in several.replace(" ", "").split(",")]
+    return {key.partition(".")[0] for key in keys if "." in key}
 
 
 def _check_rule(rule: str, params: dict[str, Any]) -> None:

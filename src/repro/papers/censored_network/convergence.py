@@ -1,38 +1,14 @@
 """How the estimates of censored_network approach their limit as particles are added [Remark 4]."""
 
-from typing import NamedTuple
-
 import numpy as np
 
-from repro.statistics import metrics
 from repro.studies.families.censored_network import squared_distance
+from repro.tables.convergence import Convergence
 from repro.tables.results import Results
 
 FILTERS = ("mapf", "mpf")  # of one limit, since both have the full likelihood
 REFERENCE = "mpf"  # with the most particles it stands for the limit
 SWEPT = "particles"
-
-
-class Convergence(NamedTuple):
-    """Squared distance of estimated positions from the reference, mean of steps and targets."""
-
-    particles: np.ndarray  # (sizes,), rising
-    of_reference: int  # its particles
-    squared: np.ndarray  # m^2, (trials, sizes)
-
-    def rate(self) -> tuple[float, float]:
-        """Exponent r of a mean square distance like D^-r, and its jackknife standard error.
-
-        The reference has an error of its own, of the same law: the abscissa is 1/D + 1/D_reference.
-        """
-        abscissa = np.log(1.0 / self.particles + 1.0 / self.of_reference)
-        centred = abscissa - abscissa.mean()
-
-        def slope(mean_squared: np.ndarray) -> np.ndarray:
-            return np.log(mean_squared) @ centred / (centred @ centred)
-
-        left_out = metrics.leave_one_out(self.squared, slope)
-        return float(slope(self.squared.mean(axis=0))), float(metrics.jackknife_error(left_out))
 
 
 def convergence(results: Results, study: str, filter_: str) -> Convergence:

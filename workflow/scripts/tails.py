@@ -1,0 +1,9 @@
+from repro.tables.results import Results
+from repro.tables.tails import write_tails
+from repro.workflow.job import job
+
+given = snakemake.params
+with job(snakemake.log[0]):
+    results = Results(**given.results)
+    for study, path in zip(given.studies, snakemake.output, strict=True):
+        write_tails(results, study, path)
