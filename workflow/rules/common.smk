@@ -2,6 +2,7 @@
 import os
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 SOURCE = Path(workflow.basedir) / "src"
@@ -19,6 +20,7 @@ os.environ.update(MALLOC_TRIM_THRESHOLD_="268435456", MALLOC_MMAP_THRESHOLD_="26
 from repro.atomic import check_writable
 from repro.errors import ReproError
 from repro.layout import Layout
+from repro.origin import digest
 from repro.parameters.load import (
     check_shards,
     first_of_families,
@@ -32,6 +34,7 @@ from repro.parameters.readings import readings_of
 from repro.workflow.code import code_digest, code_files, constants, source_digest
 from repro.workflow.lock import hold, runs_jobs, sweep
 from repro.workflow.registry import Registry
+from repro.workflow.unnamed_logs import unseen_changes
 
 
 def or_exit(function, *arguments, **named):
@@ -154,8 +157,20 @@ def paper_runs(paper):
 
 
 def paper_logs(paper):
-    """The logs of all points of a paper."""
-    return [file for study in PAPERS[paper].studies for file in REGISTRY.log_files(study)]
+    """Of each job that makes logs of a paper: the one that stands for all of them."""
+    return [file for study in PAPERS[paper].studies for file in REGISTRY.log_marks(study)]
+
+
+def results_with(studies, requested=False, table=""):
+    """Parameter: digest of that, which is what Snakemake records: see origins.smk."""
+    of_studies = [results_of_study_with(study, requested, table) for study in studies]
+    return digest(of_studies, RUN.shards, REGISTRY.own_filters(RANKED), RUN.tolerance)
+
+
+@cache
+def results_of_study_with(study, requested, table):
+    filters = REGISTRY.catalogue(study, requested=requested, table=table)
+    return digest(filters, DESCRIBED[study], origins(study, requested, table))
 
 
 VERDICTS_FROM = {"claims", "facts", "tables"}
@@ -171,7 +186,7 @@ def judged_by(paper):
 def plain_points(study):
     """Parameters, and settings by filter, of each point of a study, as JSON has them."""
     return {
-        name: {"parameters": point.parameters.plain(), "filters": point.filters}
+        name: {"parameters": plain_parameters(study, name), "filters": point.filters}
         for name, point in STUDIES[study].items()
     }
 

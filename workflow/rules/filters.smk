@@ -15,6 +15,7 @@ rule run_filter:
         mem_mb=1500,
     params:
         points=filtered_points,
+        made_with=filtered_with,
         code=code("repro.runner", "repro.filters.{filter}"),
     script:
         "../scripts/run_filter.py"

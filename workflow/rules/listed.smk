@@ -18,6 +18,7 @@ for study, names in LISTED.items():
             mem_mb=1500,
         params:
             points=filtered_points,
+            made_with=filtered_with,
             code=code("repro.runner", "repro.filters.{filter}"),
         script:
             "../scripts/run_filter.py"

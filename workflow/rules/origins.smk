@@ -1,36 +1,44 @@
 # What logs and runs are made with: by it a job knows a stale one (src/repro/origin.py).
-from functools import cache
+# Snakemake evaluates the parameters of all jobs at its start and keeps them: what is large is the
+# same object in all shards. It records what a job was made with, whole, for each of its outputs,
+# unless it comes from a function of `output`: what is large does, and `made_with` is its digest.
 
-from repro.origin import digest, of_shard, origin
+
+def filtered_points(wildcards, output):
+    """What a filter's job needs besides its shard: arguments of `repro.runner.in_shard`."""
+    return of_batch(wildcards.filter, wildcards.study, wildcards.batch)
 
 
-def filtered_points(wildcards):
-    """What a filter's job needs of each point of its batch: see `FilteredPoint`."""
-    study, shard = wildcards.study, int(wildcards.shard)
-    points = {}
-    for point, made in in_batch(wildcards.filter, study, wildcards.batch).items():
-        trials = of_shard(made["trials"], shard, RUN.shards)
-        points[point] = {
-            "log": LAYOUT.log(study, made["log_of"], shard),
-            "log_of": made["log_of"],
-            "settings": made["settings"],
-            "log_origin": origin(made["log"], trials),
-            "origin": origin(made["runs"], trials),
-        }
-    return points
+def filtered_with(wildcards):
+    """Digest of that."""
+    return digest_of_batch(wildcards.filter, wildcards.study, wildcards.batch)
 
 
 def filtered_logs(wildcards):
-    """Logs of those points, some of which may share one."""
-    batch = in_batch(wildcards.filter, wildcards.study, wildcards.batch)
-    of_points = dict.fromkeys(made["log_of"] for made in batch.values())
-    return [LAYOUT.log(wildcards.study, point, wildcards.shard) for point in of_points]
+    """Of each job that makes logs of those points: the one that stands for all of them."""
+    name, study, batch = wildcards.filter, wildcards.study, wildcards.batch
+    points, first = logged_points(name, study, batch)
+    logs, named = (
+        [LAYOUT.log(study, point, wildcards.shard) for point in some] for some in (points, first)
+    )
+    if workflow.is_main_process:  # as with --forcerun
+        unseen = unseen_changes(logs, named, LAYOUT.run(study, batch, name, wildcards.shard))
+        workflow.dag.forcefiles.update(unseen)
+    return named
 
 
 @cache
-def in_batch(name, study, batch):
-    """Of each point of a batch that the filter runs on: what is the same in all of its shards."""
-    return {
+def logged_points(name, study, batch):
+    """Points whose logs a filter reads for a batch, and those that stand for them."""
+    points = REGISTRY.in_batch(name, study, batch)
+    logged = [REGISTRY.log_of(study, point) for point in points]
+    return [*dict.fromkeys(logged)], REGISTRY.first_logged(study, points)
+
+
+@cache
+def of_batch(name, study, batch):
+    """What the jobs of a filter on a batch share."""
+    points = {
         point: {
             "trials": STUDIES[study][point].parameters.trials,
             "settings": REGISTRY.settings(name, study, point),
@@ -40,6 +48,12 @@ def in_batch(name, study, batch):
         }
         for point in REGISTRY.in_batch(name, study, batch)
     }
+    return {"root": str(LAYOUT.root), "shards": RUN.shards, "points": points}
+
+
+@cache
+def digest_of_batch(name, study, batch):
+    return digest(of_batch(name, study, batch))
 
 
 @cache
@@ -58,6 +72,7 @@ def runs_made_with(name, study, point):
     return digest(log_made_with(study, point), settings, estimation)
 
 
+@cache
 def origins(study, requested=False, table=""):
     """What the results of each point of a study must come from."""
     catalogue = REGISTRY.catalogue(study, requested=requested, table=table)[study]
@@ -72,18 +87,22 @@ def origins(study, requested=False, table=""):
     }
 
 
-def simulated_points(study, points, shard):
-    """Parameters, trials and origin of a shard of the points."""
-    simulated = {}
-    for point in points:
-        parameters = plain_parameters(study, point)
-        trials = of_shard(parameters["trials"], shard, RUN.shards)
-        simulated[point] = {
-            "parameters": parameters,
-            "trials": trials,
-            "origin": origin(log_made_with(study, point), trials),
+@cache
+def simulated_points(study, points):
+    """Parameters of points, and what their logs are made with."""
+    return {
+        point: {
+            "parameters": plain_parameters(study, point),
+            "made_with": log_made_with(study, point),
         }
-    return simulated
+        for point in points
+    }
+
+
+@cache
+def simulated_with(study, points):
+    """Digest of that, and of how the trials are split."""
+    return digest(simulated_points(study, points), RUN.shards)
 
 
 @cache

@@ -17,7 +17,8 @@ rule tails:
         ENVIRONMENT
     params:
         studies=HEAVY_TAILED,
-        results=lambda wildcards: results_of(HEAVY_TAILED),
+        results=lambda wildcards, output: results_of(HEAVY_TAILED),
+        made_with=lambda wildcards: results_with(HEAVY_TAILED),
         code=code("repro.tables.tails", *(f"repro.studies.{study}" for study in HEAVY_TAILED)),
     script:
         "../scripts/tails.py"
@@ -42,7 +43,8 @@ rule convergence:
         ENVIRONMENT
     params:
         studies={study: printed_particles(study) for study in CONVERGENCE},
-        results=lambda wildcards: results_of(CONVERGENCE, table="convergence"),
+        results=lambda wildcards, output: results_of(CONVERGENCE, table="convergence"),
+        made_with=lambda wildcards: results_with(CONVERGENCE, table="convergence"),
         code=code("repro.tables.convergence", *(f"repro.studies.{s}" for s in CONVERGENCE)),
     script:
         "../scripts/convergence.py"
@@ -53,7 +55,7 @@ rule mismatch:
         lambda wildcards: [
             file
             for study in MISMATCH
-            for find in (REGISTRY.run_files, REGISTRY.log_files)
+            for find in (REGISTRY.run_files, REGISTRY.log_marks)
             for file in find(study, own_points(study, "mismatch"), table="mismatch")
         ],
     output:
@@ -66,7 +68,8 @@ rule mismatch:
         ENVIRONMENT
     params:
         studies=MISMATCH,
-        results=lambda wildcards: results_of(MISMATCH, table="mismatch"),
+        results=lambda wildcards, output: results_of(MISMATCH, table="mismatch"),
+        made_with=lambda wildcards: results_with(MISMATCH, table="mismatch"),
         code=code("repro.tables.mismatch", *(f"repro.studies.{study}" for study in MISMATCH)),
     script:
         "../scripts/mismatch.py"
@@ -90,7 +93,8 @@ rule cost:
         studies={
             study: LAYOUT.convergence(study) if study in CONVERGENCE else None for study in STUDIES
         },
-        results=lambda wildcards: results_of([*STUDIES], table="convergence"),
+        results=lambda wildcards, output: results_of([*STUDIES], table="convergence"),
+        made_with=lambda wildcards: results_with([*STUDIES], table="convergence"),
         sizes=lambda wildcards: {
             study: {name: sizes_of(point) for name, point in points.items()}
             for study, points in STUDIES.items()

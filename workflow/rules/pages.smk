@@ -85,8 +85,6 @@ rule manifest:
             [LAYOUT.curves(study) for study in STUDIES],
             [LAYOUT.ranking(study) for study in STUDIES],
         ],
-        # A function: Snakemake takes the square of a list's length to resolve it beside rules.diff.
-        logs=lambda wildcards: [file for study in STUDIES for file in REGISTRY.log_files(study)],
         figures=[*figure_files(), *study_figure_files(), rules.gallery.output],
     output:
         LAYOUT.page("manifest.json"),
@@ -95,6 +93,8 @@ rule manifest:
     conda:
         ENVIRONMENT
     params:
+        # The tables are made of all of them: named here, not as input, which would take long.
+        logs=lambda wildcards, output: [f for s in STUDIES for f in REGISTRY.log_files(s)],
         commit=commit(),
         source=source_digest(),
         seed=RUN.root_seed,

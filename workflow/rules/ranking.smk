@@ -21,7 +21,8 @@ rule study_figures:
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: results_of([wildcards.study]),
+        results=lambda wildcards, output: results_of([wildcards.study]),
+        made_with=lambda wildcards: results_with([wildcards.study]),
         code=code("repro.plot.study_figures"),
     script:
         "../scripts/study_figures.py"

@@ -29,7 +29,8 @@ rule table:
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: results_of([wildcards.study]),
+        results=lambda wildcards, output: results_of([wildcards.study]),
+        made_with=lambda wildcards: results_with([wildcards.study]),
         code=code("repro.tables.study_tables"),
     script:
         "../scripts/table.py"
@@ -52,7 +53,8 @@ rule claims:
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: results_of(PAPERS[wildcards.paper].studies),
+        results=lambda wildcards, output: results_of(PAPERS[wildcards.paper].studies),
+        made_with=lambda wildcards: results_with(PAPERS[wildcards.paper].studies),
         code=lambda wildcards: or_exit(
             code_digest,
             "repro.workflow.job",
@@ -67,9 +69,7 @@ rule claims:
 # The verdicts again under every reading of what the paper leaves open.
 rule robustness:
     input:
-        runs=lambda wildcards: paper_runs(wildcards.paper),
-        logs=lambda wildcards: paper_logs(wildcards.paper),
-        tables=lambda wildcards: table_files(wildcards.paper),
+        tables=lambda wildcards: table_files(wildcards.paper),  # made of all runs that it reads
         measured=lambda wildcards: measured_files(wildcards.paper),
         published="params/published/{paper}.csv",
     output:
@@ -81,7 +81,8 @@ rule robustness:
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: results_of(PAPERS[wildcards.paper].studies),
+        results=lambda wildcards, output: results_of(PAPERS[wildcards.paper].studies),
+        made_with=lambda wildcards: results_with(PAPERS[wildcards.paper].studies),
         readings=lambda wildcards: {
             study: readings_of(plain_points(study)) for study in PAPERS[wildcards.paper].studies
         },
@@ -159,7 +160,8 @@ for drawn, names in SHEETS.items():
         conda:
             ENVIRONMENT
         params:
-            results=results_of(studies_read(names)),
+            results=lambda wildcards, output, names=names: results_of(studies_read(names)),
+            made_with=lambda wildcards, names=names: results_with(studies_read(names)),
             code=code("repro.plot.draw", *map(figure_script, names)),
         script:
             "../scripts/figures.py"

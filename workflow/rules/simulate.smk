@@ -14,9 +14,13 @@ for study, batch, points in REGISTRY.batches():
             ENVIRONMENT
         params:
             study=study,
-            points=lambda wildcards, study=study, points=points: simulated_points(
-                study, points, int(wildcards.shard)
+            points=lambda wildcards, output, study=study, points=tuple(points): simulated_points(
+                study, points
             ),
+            made_with=lambda wildcards, study=study, points=tuple(points): simulated_with(
+                study, points
+            ),
+            shards=RUN.shards,
             seed=RUN.root_seed,
             code=code("repro.simulate", f"repro.studies.{study}"),
         script:

@@ -1,7 +1,7 @@
-from repro.runner import FilteredPoint, run_filter
+from repro.runner import in_shard, run_filter
 from repro.workflow.job import job
 
-at, given = snakemake.wildcards, snakemake.params.points
+at = snakemake.wildcards
 with job(snakemake.log[0]) as usage:
-    points = {name: FilteredPoint(**point) for name, point in given.items()}
+    points = in_shard(at.study, int(at.shard), **snakemake.params.points)
     usage.of_points = run_filter(at.study, at.filter, points, snakemake.output[0])

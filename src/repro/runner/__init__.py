@@ -11,7 +11,9 @@ from repro import plugins
 from repro.atomic import atomic_write
 from repro.errors import ReproError, computing
 from repro.filters import Filter
+from repro.layout import Layout
 from repro.logs import Log, read_log
+from repro.origin import of_shard, origin
 from repro.parameters.settings import (
     PlainSettings,
     assumed_parameters,
@@ -133,6 +135,27 @@ class FilteredPoint(NamedTuple):
     log_origin: str | None = None  # what the log must come from; None: anything
     origin: str = ""  # what the runs come from
     log_of: str | None = None  # the point whose log it is; None: its own
+
+
+def in_shard(
+    study: str, shard: int, root: str, shards: int, points: Mapping[str, Mapping[str, Any]]
+) -> dict[str, FilteredPoint]:
+    """What a job needs of each point of a batch to run a filter on a shard of its trials.
+
+    `root` is the folder of the results. Of each point are given `trials` of all shards, `settings`,
+    the point `log_of` whose log it reads, and the digests of what `log` and `runs` are made with.
+    """
+    layout, found = Layout(root), {}
+    for point, given in points.items():
+        trials = of_shard(given["trials"], shard, shards)
+        found[point] = FilteredPoint(
+            log=layout.log(study, given["log_of"], shard),
+            settings=given["settings"],
+            log_origin=origin(given["log"], trials),
+            origin=origin(given["runs"], trials),
+            log_of=given["log_of"],
+        )
+    return found
 
 
 def run_filter(

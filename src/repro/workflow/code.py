@@ -70,16 +70,13 @@ def _digest(file: str) -> str:
 @cache
 def _module_files(module: str) -> list[str]:
     """Files of a module and of the packages above it; none if it is not of this package."""
-    parts = module.split(".")
-    if parts[0] != "repro":
+    if module.split(".")[0] != "repro":
         return []
-    packages = [SOURCE.joinpath(*parts[:i], "__init__.py") for i in range(1, len(parts))]
-    for candidate in (
-        SOURCE.joinpath(*parts).with_suffix(".py"),
-        SOURCE.joinpath(*parts) / "__init__.py",
-    ):
-        if candidate.exists():
-            return [str(file.relative_to(PROJECT)) for file in (*packages, candidate)]
+    package = module.rpartition(".")[0]
+    above = _module_files(package) if package else []
+    for candidate in (f"{module.replace('.', '/')}.py", f"{module.replace('.', '/')}/__init__.py"):
+        if (SOURCE / candidate).exists():
+            return [*above, f"{SOURCE.name}/{candidate}"]
     return []
 
 

@@ -4,6 +4,7 @@ import json
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -213,6 +214,30 @@ class Registry:
         of_points = dict.fromkeys(self.log_of(study, p) for p, _ in chosen)
         return [self._layout.log(study, p, shard) for p in of_points for shard in self._shards]
 
+    def log_marks(
+        self, study: str, points: Collection[str] | None = None, table: str = ""
+    ) -> list[str]:
+        """Of each job that makes logs of the given (or all) points: its first log.
+
+        It stands for all of them. Snakemake takes time and memory for each file that a job names;
+        see `repro.workflow.unnamed_logs` for those that it does not name.
+        """
+        chosen = [p for p, _ in self._chosen(study, points, table=table)]
+        return [
+            self._layout.log(study, p, shard)
+            for p in self.first_logged(study, chosen)
+            for shard in self._shards
+        ]
+
+    def first_logged(self, study: str, points: Iterable[str]) -> list[str]:
+        """Points whose logs are the first of the jobs that make those of the given points."""
+        jobs = dict.fromkeys(batch_of(self.log_of(study, p)) for p in points)
+        return [self._first_logged[study, batch] for batch in jobs]
+
+    @cached_property
+    def _first_logged(self) -> dict[tuple[str, str], str]:
+        return {(study, batch): points[0] for study, batch, points in self.batches()}
+
     def log_of(self, study: str, point: str) -> str:
         """The point whose log a point reads."""
         return self._log_of.get(study, {}).get(point, point)
@@ -250,7 +275,7 @@ def swept_filters(swept: Mapping[str, Any]) -> set[str]:
 def _check_rule(rule: str, params: dict[str, Any]) -> None:
     """Raise ReproError if anything in a filter's rule is of another filter than its output."""
     for name, value in params.items():
-        if name in ("settings", "code") or (name == "points" and callable(value)):
+        if name in ("settings", "code") or (name in ("points", "made_with") and callable(value)):
             continue
         raise ReproError(
             f"rule {rule}: params: '{name}' has no meaning; the filter is that of runs(...), "

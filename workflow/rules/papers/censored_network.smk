@@ -18,7 +18,8 @@ rule sensitivity:
     conda:
         ENVIRONMENT
     params:
-        results=lambda wildcards: results_of([wildcards.study], requested=True),
+        results=lambda wildcards, output: results_of([wildcards.study], requested=True),
+        made_with=lambda wildcards: results_with([wildcards.study], requested=True),
         code=code("repro.papers.censored_network.sensitivity"),
     script:
         "../../scripts/papers/sensitivity.py"
