@@ -11,7 +11,7 @@ from pathlib import Path
 
 from tests.torture.hosts import faults_of_two_hosts
 from tests.torture.kills import KILLS, clear, kill_and_resume, undisturbed
-from tests.torture.paper import trimmed_paper
+from tests.torture.paper import smallest_paper
 from tests.torture.wrong_logs import WRONG, fault_of, right_runs
 
 LOGS_A_ROUND = 50
@@ -34,7 +34,7 @@ def main() -> int:
         logs = Path(folder, "logs")
         logs.mkdir()
         (copy := Path(folder, "project")).mkdir()
-        project = trimmed_paper(copy)
+        project = smallest_paper(copy)
         expected = undisturbed(project)
         right = right_runs(logs)
         while True:

@@ -7,7 +7,7 @@ import pytest
 
 from tests.torture.hosts import faults_of_two_hosts
 from tests.torture.kills import KILLS, clear, kill_and_resume, undisturbed
-from tests.torture.paper import trimmed_paper
+from tests.torture.paper import smallest_paper
 from tests.torture.wrong_logs import WRONG, fault_of, right_runs
 
 LOGS = 100
@@ -19,7 +19,7 @@ def seed():
 
 
 def test_one_paper_killed_at_random_moments(tmp_path, seed):
-    chance, project = random.Random(seed), trimmed_paper(tmp_path)
+    chance, project = random.Random(seed), smallest_paper(tmp_path)
     expected = undisturbed(project)
     for kind in KILLS:
         clear(project)

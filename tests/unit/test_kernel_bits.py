@@ -1,4 +1,4 @@
-"""The kernels give the same bytes on every machine: CPUs are imitated, one a process."""
+"""The kernels give the same bytes on every CPU: others are imitated, one a process."""
 
 import hashlib
 import os
@@ -26,12 +26,6 @@ SIMULATED = (("deadband", "mapf"), ("saturation", "mpf"), ("ungm", "pf_ross_eh_j
 ENVIRONMENTS = {
     "generic": {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""},
     "haswell": {"NUMBA_CPU_NAME": "haswell", "NUMBA_CPU_FEATURES": "+avx2,+fma,+bmi,+bmi2"},
-    "this machine": {},
-    "other libraries": {
-        "OPENBLAS_CORETYPE": "Nehalem",
-        "NPY_DISABLE_CPU_FEATURES": "X86_V3 X86_V4 AVX512_ICL AVX512_SPR",
-        "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F",
-    },
 }
 
 
@@ -111,8 +105,12 @@ class Seen:
         self.received = received
 
 
+def test_the_bytes_of_this_cpu():
+    assert digest()[:32] == WANTED
+
+
 @pytest.mark.parametrize("name", ENVIRONMENTS)
-def test_same_bytes(name):
+def test_the_bytes_of_another_cpu(name):
     if name == "haswell" and not get_host_cpu_features().get("avx2"):
         pytest.skip("this CPU cannot run such code")
     run = subprocess.run(

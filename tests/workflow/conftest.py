@@ -1,11 +1,12 @@
 """A copy of the project with few points, in which Snakemake runs for real."""
 
+import fcntl
 import os
 import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -15,6 +16,7 @@ import yaml
 from tests.conftest import ROOT
 
 KEPT = ["Snakefile", "workflow", "src", "params", "profiles", "figures"]
+MACHINE_CODE = "src/repro/kernels/__pycache__"
 
 
 class Project:
@@ -23,8 +25,12 @@ class Project:
     options = ("-j2",)
     environment = os.environ
 
-    def __init__(self, folder: Path):
+    def __init__(self, folder: Path, original: Path = ROOT):
+        """A copy of the project; or of such a copy, with what Snakemake has made in it."""
         self.folder = folder
+        if original != ROOT:
+            shutil.copytree(original, folder, symlinks=True, dirs_exist_ok=True)
+            return
         for name in KEPT:
             source = ROOT / name
             if source.is_dir():
@@ -32,6 +38,9 @@ class Project:
                 shutil.copytree(source, folder / name, ignore=ignored)
             else:
                 shutil.copy(source, folder / name)
+        # Every copy would compile the kernels anew, for longer than its jobs take.
+        (ROOT / MACHINE_CODE).mkdir(exist_ok=True)
+        (folder / MACHINE_CODE).symlink_to(ROOT / MACHINE_CODE)
 
     def snakemake(self, *arguments: str, fails: bool = False) -> str:
         """Run Snakemake; returns its output."""
@@ -62,7 +71,7 @@ class Project:
             else:
                 shutil.copy(ROOT / name, self.folder / name)
         run = subprocess.run(
-            [sys.executable, "-m", "pytest", "-v", *arguments],
+            [sys.executable, "-m", "pytest", "-n0", *arguments],
             cwd=self.folder,
             env={k: v for k, v in self.environment.items() if k != "PYTHONPATH"},
             capture_output=True,
@@ -71,7 +80,7 @@ class Project:
         assert run.returncode == 0, run.stdout + run.stderr
         return run.stdout
 
-    def keep_only(self, paper: str, study: str, points: list[str]) -> None:
+    def keep_only(self, paper: str, study: str, points: Sequence[str]) -> None:
         """Leave a study only a few points of its sweep over the arrival probability."""
         with self._families(paper, study) as families:
             families[:] = [_fixed(point, families) for point in points]
@@ -103,12 +112,9 @@ class Project:
 
         Its facts, and its tables that are tested as a whole, need more points than a few.
         """
-        for file in (self.folder / "params/published").glob("*.csv"):
-            if file.stem == paper:
-                head, *rows = file.read_text().splitlines(keepends=True)
-                file.write_text(head + "".join(r for r in rows if r.startswith(beginnings)))
-            else:
-                file.unlink()
+        file = self.folder / f"params/published/{paper}.csv"
+        head, *rows = file.read_text().splitlines(keepends=True)
+        file.write_text(head + "".join(r for r in rows if r.startswith(beginnings)))
         module = self.folder / f"src/repro/papers/{paper}"
         for needs_all in ("facts.py", "tables.py"):
             (module / needs_all).unlink(missing_ok=True)
@@ -116,19 +122,17 @@ class Project:
         kept = f"CLAIMS[:] = [one for one in CLAIMS if one.item.startswith({beginnings})]\n"
         claims.write_text(f"{claims.read_text()}\n\n{kept}")
 
-    def leave_only_own_studies(self) -> None:
-        """Take out the papers: their parameters, published values, figures and rules."""
-        for file in (self.folder / "params").glob("*.yaml"):
-            if file.stem != "run":
-                file.unlink()
-        shutil.rmtree(self.folder / "params/published")
-        shutil.rmtree(self.folder / "figures")
-        filters = self.folder / "workflow/rules/filters.smk"
-        rule = r"^use rule .*?(\n\n\n|\Z)"
-        filters.write_text(re.sub(rule, "", filters.read_text(), flags=re.DOTALL | re.MULTILINE))
+    def leave_only(self, *papers: str) -> None:
+        """Take out the other papers: their parameters, published values, figures and rules."""
+        others = [p.stem for p in (self.folder / "params/published").glob("*.csv")]
         snakefile = self.folder / "Snakefile"
-        included = r'^include: "workflow/rules/papers/.*\n'
-        snakefile.write_text(re.sub(included, "", snakefile.read_text(), flags=re.MULTILINE))
+        rules = snakefile.read_text()
+        for other in set(others) - {*papers}:
+            (self.folder / f"params/{other}.yaml").unlink()
+            (self.folder / f"params/published/{other}.csv").unlink()
+            shutil.rmtree(self.folder / "figures" / other)
+            rules = rules.replace(f'include: "workflow/rules/papers/{other}.smk"\n', "")
+        snakefile.write_text(rules)
 
     @contextmanager
     def _families(self, paper: str, study: str) -> Iterator[list[dict]]:
@@ -154,6 +158,32 @@ def _fixed(point: str, families: list[dict]) -> dict:
     return family | {"sweep": {"arrival_probability": [value]}}
 
 
+POINTS = ("arrival=0.5", "arrival=0.9")
+FILTERS = ("omvf", "nahi", "sun", "emvf")
+FEW = ("--config", "trials=4")
+# What `built` has; a figure that needs every step of the workflow before it among them.
+STUDY = "linear_delays"
+TABLE = f"results/tables/{STUDY}.csv"
+STUDY_FIGURES = [
+    f"figures/studies/{STUDY}/{kind}.png" for kind in ("over_k", "over_sweep", "distribution")
+]
+BUILT = (TABLE, *(f"figures/packet_delays/{name}.png" for name in ("fig01", "fig02", "table01")))
+BUILT += (*STUDY_FIGURES, "results/parameters.csv")
+
+
+def trimmed_paper(folder: Path, points: Sequence[str] = POINTS) -> Project:
+    """A copy of the project with one paper, its claims and figures, of few and short jobs."""
+    project = Project(folder)
+    project.leave_only("packet_delays")
+    project.keep_only("packet_delays", STUDY, points)
+    project.keep_first("packet_delays", "wsn_tracking")
+    few = {"packet_bound": [2], "arrival_probability": [0.9]}
+    project.keep_values("packet_delays", "wsn_tracking", **few)
+    project.judge_only("packet_delays", "Table 1: ", "Table 2: N=2 p=0.9,", "omvf-below-nahi")
+    project.keep_filters(*FILTERS)
+    return project
+
+
 @pytest.fixture
 def project(tmp_path):
     return Project(tmp_path)
@@ -161,6 +191,32 @@ def project(tmp_path):
 
 @pytest.fixture
 def trimmed(project):
-    """The copy with two points of the linear study of packet delays: few and short jobs."""
-    project.keep_only("packet_delays", "linear_delays", ["arrival=0.5", "arrival=0.9"])
+    """The copy with two points of the linear study of packet delays."""
+    project.keep_only("packet_delays", STUDY, POINTS)
     return project
+
+
+@pytest.fixture
+def paper(tmp_path):
+    """One paper with few and short jobs."""
+    return trimmed_paper(tmp_path)
+
+
+@pytest.fixture(scope="session")
+def built_once(tmp_path_factory, worker_id):
+    """Built by the first worker of pytest that needs it, for all."""
+    own = tmp_path_factory.getbasetemp()
+    folder = (own if worker_id == "master" else own.parent) / "built"
+    with (folder.parent / "built.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not folder.exists():
+            project = trimmed_paper(tmp_path_factory.mktemp("building"))
+            project.snakemake(*BUILT, *FEW)
+            project.folder.rename(folder)
+    return folder
+
+
+@pytest.fixture
+def built(built_once, tmp_path):
+    """One paper with few and short jobs, of which those of a study have run."""
+    return Project(tmp_path, built_once)

@@ -8,8 +8,7 @@ import pytest
 
 from repro.statistics.runs import read_runs
 from tests.conftest import ROOT
-
-FEW = ("--config", "trials=4")
+from tests.workflow.conftest import FEW, STUDY, STUDY_FIGURES, TABLE
 
 
 def example(page: str, language: str = "python") -> list[str]:
@@ -32,42 +31,31 @@ def jobs_of(output: str) -> dict[str, int]:
 
 
 def study_figures(study: str) -> list[str]:
-    return [f"figures/studies/{study}/{kind}.png" for kind in KINDS]
+    return [file.replace(STUDY, study) for file in STUDY_FIGURES]
 
 
-KINDS = ("over_k", "over_sweep", "distribution")
-
-
-def test_readmes_filter_in_table_figures_ranking_and_diff(trimmed):
+def test_readmes_filter_in_table_figures_ranking_and_diff(built):
     """Only its own jobs and what depends on them run."""
-    study, redrawn = "linear_delays", "figures/packet_delays/fig01.png"
-    table, ranking = f"results/tables/{study}.csv", f"results/ranking/{study}/table.csv"
-    targets = [table, redrawn, *study_figures(study)]
-    trimmed.snakemake(*targets, *FEW)
-    before = trimmed.bytes_of("figures/*/*.png", "figures/studies/*/*.png")
-    add_filter(trimmed, "README.md", "mine")
-    planned = jobs_of(trimmed.snakemake("-n", *targets, *FEW))
+    targets = [TABLE, "figures/packet_delays/fig01.png", *STUDY_FIGURES]
+    before = built.bytes_of("figures/*/fig01.png", "figures/studies/*/*.png")
+    add_filter(built, "README.md", "mine")
+    planned = jobs_of(built.snakemake("-n", *targets, *FEW))
     drawn_anew = {"figures_linear_delays": 1, "study_figures": 1}
     assert planned == {"mine": 1, "table": 1} | drawn_anew
-    trimmed.snakemake(*targets, *FEW)
-    assert ",mine,rmse,x1," in (trimmed.folder / table).read_text()
-    assert ",mine,own," in (trimmed.folder / ranking).read_text()
-    drawn = trimmed.bytes_of("figures/*/*.png", "figures/studies/*/*.png")
-    swept = f"figures/studies/{study}/over_sweep.png"  # two points are no sweep
+    built.snakemake(*targets, "results/diff.csv", *FEW)
+    assert ",mine,rmse,x1," in (built.folder / TABLE).read_text()
+    assert ",mine,own," in (built.folder / f"results/ranking/{STUDY}/table.csv").read_text()
+    drawn = built.bytes_of("figures/*/fig01.png", "figures/studies/*/*.png")
+    swept = f"figures/studies/{STUDY}/over_sweep.png"  # two points are no sweep
     assert {path for path in drawn if drawn[path] == before[path]} <= {swept}
-    trimmed.keep_first("packet_delays", "wsn_tracking")
-    few = {"packet_bound": [2], "arrival_probability": [0.9]}
-    trimmed.keep_values("packet_delays", "wsn_tracking", **few)
-    trimmed.judge_only("packet_delays", "Table 1: ", "omvf-below-nahi")
-    trimmed.snakemake("results/diff.csv", *FEW)
-    assert "Table 1: y(1)" in (trimmed.folder / "results/diff.csv").read_text()
+    assert "Table 1: y(1)" in (built.folder / "results/diff.csv").read_text()
 
 
-def test_readmes_filter_keeps_the_contract_and_is_ranked_at_once(trimmed):
-    add_filter(trimmed, "README.md", "mine")
-    assert "5 passed" in trimmed.pytest("tests/contract", "-k", "mine")
-    options = ("filter=mine", "study=linear_delays", "trials=20")
-    output = trimmed.snakemake("leaderboard", "--config", *options)
+def test_readmes_filter_keeps_the_contract_and_is_ranked_at_once(paper):
+    add_filter(paper, "README.md", "mine")
+    assert "5 passed" in paper.pytest("tests/contract", "-k", "mine")
+    options = ("filter=mine", f"study={STUDY}", "trials=20")
+    output = paper.snakemake("leaderboard", "--config", *options)
     assert re.search(r"arrival=0\.5 +mine ", output)
 
 
@@ -76,7 +64,8 @@ def losses(project):
     """The copy with two points of the studies of the worked example."""
     for study in ("linear_losses", "radar"):
         project.keep_values("unknown_losses", study, loss_probability=[0.3, 0.5])
-        project.keep_families("unknown_losses", study, ["loss=", "short-loss=", "markov-"])
+        project.keep_families("unknown_losses", study, ["loss="])
+    project.keep_filters("ekf", "iekf", "bkf_1", "rbpf_on_radar")
     return project
 
 
@@ -100,13 +89,12 @@ def test_the_worked_filter_in_tables_and_figures(losses):
 def test_the_worked_filter_keeps_the_contract(losses):
     add_filter(losses, "docs/add-a-filter.md", "ukf")
     assert "10 passed" in losses.pytest("tests/contract", "-k", "ukf")
-    planned = jobs_of(losses.snakemake("-n", "results/tables/radar.csv", *FEW))
-    assert planned["ukf"] == 1
 
 
 def test_the_worked_study(project):
     """docs/add-a-study.md, up to table, curves, figures, leaderboard, view and contract."""
-    project.leave_only_own_studies()
+    project.leave_only()
+    project.keep_filters()
     (module,), (parameters,) = (example("docs/add-a-study.md", kind) for kind in ("python", "yaml"))
     (project.folder / "src/repro/studies/bearings.py").write_text(module)
     (project.folder / "params/bearings.yaml").write_text(parameters)
@@ -143,11 +131,11 @@ def build(model, settings):
 """
 
 
-def test_an_exception_in_a_filter_shows_its_own_lines_alone(trimmed):
-    add_filter(trimmed, "README.md", "mine")
-    (trimmed.folder / "src/repro/filters/mine.py").write_text(SLIP)
+def test_an_exception_in_a_filter_shows_its_own_lines_alone(built):
+    add_filter(built, "README.md", "mine")
+    (built.folder / "src/repro/filters/mine.py").write_text(SLIP)
     target = "results/runs/linear_delays/main/mine/0.npz"
-    output = trimmed.snakemake(target, *FEW, fails=True)
+    output = built.snakemake(target, *FEW, fails=True)
     assert "return state @ np.ones(3)  # the slip" in output
     assert "return corrected(state)" in output
     frames = re.findall(r'File "(.*?)", line', output)
@@ -165,11 +153,11 @@ def test_an_exception_in_a_filter_shows_its_own_lines_alone(trimmed):
         ("dict(gain=0.1)", "dict(gain=0.1, gian=1)", "the setting 'gian' is never used; fix the"),
     ],
 )
-def test_wrong_settings_end_a_job_in_one_line(trimmed, old, new, message):
-    add_filter(trimmed, "README.md", "mine")
-    edit(trimmed, "workflow/rules/filters.smk", old, new)
+def test_wrong_settings_end_a_job_in_one_line(built, old, new, message):
+    add_filter(built, "README.md", "mine")
+    edit(built, "workflow/rules/filters.smk", old, new)
     target = "results/runs/linear_delays/main/mine/0.npz"
-    output = trimmed.snakemake(target, *FEW, fails=True)
+    output = built.snakemake(target, *FEW, fails=True)
     (line,) = (line for line in output.splitlines() if line.strip().startswith("error: "))
     assert f"filter mine on linear_delays, arrival=0.5: {message}" in line
     assert "Traceback" not in output
@@ -193,10 +181,10 @@ def test_wrong_settings_end_a_job_in_one_line(trimmed, old, new, message):
         ),
     ],
 )
-def test_a_wrong_rule_ends_in_one_line_before_any_job(trimmed, old, new, message):
-    add_filter(trimmed, "README.md", "mine")
-    edit(trimmed, "workflow/rules/filters.smk", old, new)
-    output = trimmed.snakemake("-n", "results/tables/linear_delays.csv", fails=True)
+def test_a_wrong_rule_ends_in_one_line_before_any_job(paper, old, new, message):
+    add_filter(paper, "README.md", "mine")
+    edit(paper, "workflow/rules/filters.smk", old, new)
+    output = paper.snakemake("-n", TABLE, fails=True)
     (line,) = (line for line in output.splitlines() if line.startswith("error: "))
     assert message in line and "Traceback" not in output
 

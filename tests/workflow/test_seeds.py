@@ -3,14 +3,9 @@
 import pandas as pd
 
 
-def test_every_seed_runs_by_itself_and_leaves_its_verdicts_alone(trimmed):
-    trimmed.keep_first("packet_delays", "wsn_tracking")
-    few = {"packet_bound": [2], "arrival_probability": [0.9]}
-    trimmed.keep_values("packet_delays", "wsn_tracking", **few)
-    trimmed.keep_filters("omvf", "nahi", "emvf")
-    trimmed.judge_only("packet_delays", "Table 1: ", "Table 2: N=2 p=0.9,", "omvf-below-nahi")
-    trimmed.snakemake("seeds", "--config", "seeds=1 2", "trials=4")
-    results = trimmed.folder / "results"
+def test_every_seed_runs_by_itself_and_leaves_its_verdicts_alone(paper):
+    paper.snakemake("seeds", "--config", "seeds=1 2", "trials=4")
+    results = paper.folder / "results"
     ours = [pd.read_csv(results / f"seeds/{seed}.csv").set_index("item")["ours"] for seed in (1, 2)]
     value = "Table 2: N=2 p=0.9"
     assert ours[0]["Table 1: y(1)"] == ours[1]["Table 1: y(1)"]

@@ -6,7 +6,7 @@ import time
 
 import psutil
 
-from tests.torture.paper import trimmed_paper
+from tests.torture.paper import smallest_paper
 
 TABLE = "results/tables/linear_delays.csv"
 # In its first run it waits for a file to appear, its log in memory, as a long filter would.
@@ -77,7 +77,7 @@ def test_neither_an_orphan_nor_lost_records_mix_two_runs(project, tmp_path_facto
 
 def test_runs_of_another_seed_are_refused_by_table_and_claims(tmp_path):
     """Put in behind the back of Snakemake, whose records are of the right ones."""
-    project = trimmed_paper(tmp_path)
+    project = smallest_paper(tmp_path)
     run = "results/runs/linear_delays/main/omvf/0.npz"
     targets = [TABLE, "results/claims/packet_delays.csv"]
     few = ("--config", "trials=4")

@@ -9,30 +9,24 @@ import pytest
 import yaml
 
 from tests.conftest import ROOT
+from tests.workflow.conftest import BUILT, FEW, STUDY, TABLE
 from tests.workflow.test_pages import jobs_of
-
-TABLE = "results/tables/linear_delays.csv"
 
 
 def test_lint_is_clean(project):
     assert "in a good condition" in project.snakemake("--lint")
 
 
-def test_a_study_runs_end_to_end(trimmed):
+def test_a_study_runs_end_to_end(built):
     """A study with few trials, up to its pictures; a second run has nothing to do.
 
     CI runs all papers with all trials, up to diff, manifest and tally, before these tests; claims
     and the other figures are in tests/papers.
     """
-    drawn = ["packet_delays/fig01", "packet_delays/fig02", "packet_delays/table01"]
-    drawn += [f"studies/linear_delays/{kind}" for kind in ("over_k", "over_sweep", "distribution")]
-    written = ["tables/packet_example.csv", "ranking/linear_delays/table.csv", "parameters.csv"]
-    targets = [f"smoke/figures/{name}.png" for name in drawn]
-    targets += [f"smoke/results/{name}" for name in written]
-    few = ("--config", "trials=6", "into=smoke")
-    trimmed.snakemake(*targets, *few)
-    assert "Nothing to be done" in trimmed.snakemake(*targets, *few)
-    assert all((trimmed.folder / target).stat().st_size > 0 for target in targets)
+    assert "Nothing to be done" in built.snakemake(*BUILT, *FEW)
+    written = [*BUILT, "results/tables/packet_example.csv"]
+    written += ["results/ranking/linear_delays/table.csv", "results/curves/linear_delays.csv"]
+    assert all((built.folder / file).stat().st_size > 0 for file in written)
 
 
 def test_a_smoke_run_is_one_point_of_each_family(project):
@@ -50,35 +44,35 @@ def test_a_smoke_run_is_one_point_of_each_family(project):
     assert "Everything: snakemake -j2" in output
 
 
-def test_a_rebuild_is_byte_identical(trimmed):
-    targets = (TABLE, "figures/packet_delays/fig01.png", "--config", "trials=4")
-    trimmed.snakemake(*targets)
-    results = ("results/logs/*/*/*.mcap", "results/runs/*/*/*/*.npz", "results/[tc]*/*.csv")
-    first = trimmed.bytes_of(*results, "figures/*/*.png")
-    assert len(first) == 2 + 7 + 2 + 2
-    trimmed.snakemake(*targets, "--forceall")
-    assert trimmed.bytes_of(*results, "figures/*/*.png") == first
+def test_a_rebuild_is_byte_identical(built):
+    results = ["results/logs/*/*/*.mcap", "results/runs/*/*/*/*.npz", f"results/[tc]*/{STUDY}.csv"]
+    results += ["figures/*/fig01.png"]
+    first = built.bytes_of(*results)
+    assert len(first) == 2 + 3 + 2 + 1
+    for path in first:
+        (built.folder / path).unlink()
+    built.snakemake(TABLE, "figures/packet_delays/fig01.png", *FEW)
+    assert built.bytes_of(*results) == first
 
 
-def test_tables_do_not_depend_on_shards(trimmed):
+def test_tables_do_not_depend_on_shards(paper):
+    paper.keep_filters("omvf", "nahi")
     tables = []
-    for shards in (1, 2, 5):
+    for shards in (1, 2):  # of 5 trials, and of 3 and 2
         into = f"shards{shards}"
-        trimmed.snakemake(
+        paper.snakemake(
             f"{into}/{TABLE}", "--config", "trials=5", f"shards={shards}", f"into={into}"
         )
-        written = trimmed.bytes_of(f"{into}/results/tables/*.csv", f"{into}/results/curves/*.csv")
+        written = paper.bytes_of(f"{into}/results/tables/*.csv", f"{into}/results/curves/*.csv")
         assert len(written) == 2
         tables.append(list(written.values()))
-    assert tables[0] == tables[1] == tables[2]
+    assert tables[0] == tables[1]
 
 
-def test_an_edit_reruns_what_depends_on_it(trimmed):
-    trimmed.snakemake(TABLE, "--config", "trials=4")
-    with (trimmed.folder / "src/repro/filters/nahi.py").open("a") as source:
+def test_an_edit_reruns_what_depends_on_it(built):
+    with (built.folder / "src/repro/filters/nahi.py").open("a") as source:
         source.write("# edited\n")
-    planned = jobs_of(trimmed.snakemake("-n", TABLE, "--config", "trials=4"))
-    assert planned == {"nahi": 1, "table": 1}
+    assert jobs_of(built.snakemake("-n", TABLE, *FEW)) == {"nahi": 1, "table": 1}
 
 
 @pytest.mark.parametrize(
@@ -123,26 +117,23 @@ def test_a_results_folder_that_cannot_be_written_ends_in_one_line(project):
     assert "/results: not a folder that can be written" in line and "Traceback" not in output
 
 
-def test_a_changed_log_ends_its_job_in_one_line(trimmed):
+def test_a_changed_log_ends_its_job_in_one_line(built):
     log = "results/logs/linear_delays/arrival=0.5/0.mcap"
-    trimmed.snakemake(log, "--config", "trials=4")
-    path = trimmed.folder / log
+    path = built.folder / log
     data = bytearray(path.read_bytes())
     data[len(data) // 2] ^= 1
     path.write_bytes(data)
     target = "results/runs/linear_delays/main/omvf/0.npz"
-    output = trimmed.snakemake(target, "--config", "trials=4", fails=True)
+    output = built.snakemake(target, *FEW, fails=True)
     lines = [line for line in output.splitlines() if line.strip().startswith("error: ")]
     assert len(lines) == 1 and log in lines[0] and "/received" in lines[0]
-    assert not (trimmed.folder / target).exists()
+    assert not (built.folder / target).exists()
 
 
-def test_a_log_of_another_point_ends_its_job_in_one_line(trimmed):
+def test_a_log_of_another_point_ends_its_job_in_one_line(built):
     logs = [f"results/logs/linear_delays/arrival={p}/0.mcap" for p in (0.5, 0.9)]
-    trimmed.snakemake(*logs, "--config", "trials=4")
-    shutil.copy(*(trimmed.folder / log for log in logs))
-    target = "results/runs/linear_delays/main/omvf/0.npz"
-    output = trimmed.snakemake(target, "--config", "trials=4", fails=True)
+    shutil.copy(*(built.folder / log for log in logs))
+    output = built.snakemake("results/runs/linear_delays/main/omvf/0.npz", *FEW, fails=True)
     assert "the log is of point 'arrival=0.5'" in output
 
 
