@@ -48,7 +48,8 @@ def studies_read(names):
     for needed in map(needs, names):
         if needed.get("diff") or needed.get("leaderboard"):
             return [*STUDIES]
-        read |= dict.fromkeys([*needed.get("tables", []), *needed.get("points", {})])
+        of = [needed.get(what, []) for what in ("tables", "points", "consistency")]
+        read |= dict.fromkeys(study for studies in of for study in studies)
     return sorted(read.keys() & STUDIES.keys())
 
 
@@ -91,6 +92,7 @@ def figure_inputs(names):
         for study, points in needed.get("points", {}).items():
             found += [*REGISTRY.log_files(study, points), *REGISTRY.run_files(study, points)]
         found += needed.get("measured", [])
+        found += [LAYOUT.consistency(study) for study in needed.get("consistency", [])]
         found += [LAYOUT.calibration(f"{name}.csv") for name in needed.get("calibration", [])]
         if needed.get("leaderboard"):
             found += [LAYOUT.page("leaderboard.csv")]

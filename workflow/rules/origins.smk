@@ -14,6 +14,7 @@ def filtered_points(wildcards):
             "log": LAYOUT.log(study, made["log_of"], shard),
             "log_of": made["log_of"],
             "settings": made["settings"],
+            "consistency": made["consistency"],
             "log_origin": origin(made["log"], trials),
             "origin": origin(made["runs"], trials),
         }
@@ -34,6 +35,7 @@ def in_batch(name, study, batch):
         point: {
             "trials": STUDIES[study][point].parameters.trials,
             "settings": REGISTRY.settings(name, study, point),
+            "consistency": point in DESCRIBED[study]["consistency"],
             "log_of": REGISTRY.log_of(study, point),
             "log": log_made_with(study, point),
             "runs": runs_made_with(name, study, point),
@@ -55,7 +57,8 @@ def runs_made_with(name, study, point):
     """Digest of what a filter's runs on a point are made with."""
     estimation = or_exit(code_digest, "repro.runner", f"repro.filters.{name}")
     settings = REGISTRY.settings(name, study, point)
-    return digest(log_made_with(study, point), settings, estimation)
+    kept = ["consistency"] if point in DESCRIBED[study]["consistency"] else []
+    return digest(log_made_with(study, point), settings, estimation, *kept)
 
 
 def origins(study, requested=False):

@@ -55,6 +55,7 @@ rule manifest:
             rules.assumptions.output,
             [LAYOUT.curves(study) for study in STUDIES],
             [LAYOUT.ranking(study) for study in STUDIES],
+            CONSISTENCY_FILES,
         ],
         # A function: Snakemake takes the square of a list's length to resolve it beside rules.diff.
         logs=lambda wildcards: [file for study in STUDIES for file in REGISTRY.log_files(study)],
