@@ -46,6 +46,18 @@ class Layout:
         """The distribution of those errors over the runs."""
         return self._at("ranking", study, "shares.csv")
 
+    def consistency(self, name="{study}") -> str:
+        """Whether the filters' own covariances are true, in a study."""
+        return self._at("consistency", f"{name}.csv")
+
+    def consistency_summary(self, paper="{paper}") -> str:
+        """The same of a paper, in sentences."""
+        return self._at("consistency", f"{paper}.md")
+
+    def bounds(self, name="{study}") -> str:
+        """Lower bounds of the errors of a study, beside those of its filters."""
+        return self._at("bounds", f"{name}.csv")
+
     def claims(self, paper="{paper}") -> str:
         """Every comparison behind the claims of a paper."""
         return self._at("claims", f"{paper}.csv")

@@ -20,6 +20,7 @@ from repro.filters import Filter
 from repro.inspect.view import write_view
 from repro.layout import Layout
 from repro.pages.assumptions import write_assumptions
+from repro.pages.consistency import write_summary
 from repro.pages.leaderboard import write_leaderboard
 from repro.pages.verdicts import write_diff
 from repro.parameters.load import Paper, Point, load_paper, load_run
@@ -29,6 +30,7 @@ from repro.plot import study_figures, style
 from repro.plot.draw import draw
 from repro.runner import FilteredPoint, run_filter
 from repro.simulate import simulate
+from repro.tables import consistency
 from repro.tables.results import Results
 from repro.tables.study_tables import tabulate
 from repro.verdicts.claims import decide
@@ -135,12 +137,15 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> Build:
         folder = tmp_path_factory.mktemp(name)
         described = {study: paper.described(study) for study in paper.studies}
         results = Results(folder / "results", points, 1, described, own, RUN.tolerance)
+        layout, rows = results.layout, []
         for study in points:
             run_study(results, study, paper.studies[study])
-            table, curves = results.layout.table(study), results.layout.curves(study)
+            table, curves = layout.table(study), layout.curves(study)
             files = [table, curves, *ranking_files(results, study)]
             first, second, *ranking = map(created, files)
             tabulate(results, study, first, second, ranking)
+            rows += consistency.tabulate(results, study, created(layout.consistency(study)))
+        write_summary(rows, created(layout.consistency_summary(name)))
         compute(computed_tables(paper), results.layout, folder / "computed")
         return Small(paper, results)
 
@@ -185,7 +190,11 @@ def run_study(results: Results, study: str, points: dict[str, Point]) -> None:
     for name, batches in runs.items():
         for batch, batched in batches.items():
             of_points = {
-                point: FilteredPoint(logs[point], points[point].filters.get(name, {}))
+                point: FilteredPoint(
+                    logs[point],
+                    points[point].filters.get(name, {}),
+                    consistency=point in results.consistency(study),
+                )
                 for point in batched
             }
             run_filter(study, name, of_points, created(layout.run(study, batch, name, 0)))

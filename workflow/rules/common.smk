@@ -197,6 +197,11 @@ COMPUTED_TABLES = {paper: [] for paper in PAPERS}
 CALIBRATIONS = []
 
 
+def judged_points(study):
+    """Points of a study at which the filters' own covariances are judged, as far as they run."""
+    return [point for point in DESCRIBED[study]["consistency"] if point not in LEFT_OUT[study]]
+
+
 def table_files(paper):
     """Tables of a paper: of its studies, and computed ones."""
     return [LAYOUT.table(name) for name in (*PAPERS[paper].studies, *COMPUTED_TABLES[paper])]

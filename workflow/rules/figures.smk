@@ -54,7 +54,8 @@ def studies_read(names):
     for needed in map(needs, names):
         if needed.get("diff") or needed.get("leaderboard"):
             return [*STUDIES]
-        read |= dict.fromkeys([*needed.get("tables", []), *needed.get("points", {})])
+        of = [needed.get(what, []) for what in ("tables", "points", "consistency")]
+        read |= dict.fromkeys(study for studies in of for study in studies)
     return sorted(read.keys() & STUDIES.keys())
 
 
@@ -101,6 +102,7 @@ def figure_inputs(names):
         found += [LAYOUT.convergence(study) for study in needed.get("convergence", [])]
         found += [LAYOUT.mismatch(study) for study in needed.get("mismatch", [])]
         found += needed.get("measured", [])
+        found += [LAYOUT.consistency(study) for study in needed.get("consistency", [])]
         found += [LAYOUT.calibration(f"{name}.csv") for name in needed.get("calibration", [])]
         if needed.get("leaderboard"):
             found += [LAYOUT.page("leaderboard.csv")]

@@ -42,6 +42,7 @@ def of_batch(name, study, batch):
         point: {
             "trials": STUDIES[study][point].parameters.trials,
             "settings": REGISTRY.settings(name, study, point),
+            "consistency": point in DESCRIBED[study]["consistency"],
             "log_of": REGISTRY.log_of(study, point),
             "log": log_made_with(study, point),
             "runs": runs_made_with(name, study, point),
@@ -69,7 +70,8 @@ def runs_made_with(name, study, point):
     """Digest of what a filter's runs on a point are made with."""
     estimation = or_exit(code_digest, "repro.runner", f"repro.filters.{name}")
     settings = REGISTRY.settings(name, study, point)
-    return digest(log_made_with(study, point), settings, estimation)
+    kept = ["consistency"] if point in DESCRIBED[study]["consistency"] else []
+    return digest(log_made_with(study, point), settings, estimation, *kept)
 
 
 @cache

@@ -5,7 +5,7 @@ A filter module gives LABEL (its name in tables and figures), SEES (the channels
 give STREAM, the name of its random streams (default: its own); filters that share one are paired.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,6 +19,7 @@ Init = Callable[[Streams], State]  # state before the first measurement, of len(
 Step = Callable[[State, int, Seen], State]  # (state, k, seen); seen.<channel> for each declared
 OfState = Callable[[State], np.ndarray]
 OfStateAndStep = Callable[[State, int], np.ndarray]
+OfStateAndComponents = Callable[[State, Sequence[int]], np.ndarray]
 Diagnostics = Callable[[State], dict[str, np.ndarray]]
 
 
@@ -33,4 +34,8 @@ class Filter(NamedTuple):
     degenerate: OfState | None = None  # guarded updates so far, (trials,)
     diagnostics: Diagnostics | None = None  # {name: (trials,)} of this step, for the tables
     arrived: OfState | None = None  # Pr(gamma(k) = 1) as inferred or known, (trials,)
+    # Claimed error covariance of some components of the state, (d, d) or (trials, d, d)
+    covariance: OfStateAndComponents | None = None
+    # e' S^-1 e / m of the innovation of this step, (trials,); NaN where no measurement was used
+    normalised_innovation: OfState | None = None
     particles: int = 1  # systems a trial has, by which the runner sizes its blocks of trials

@@ -67,4 +67,7 @@ def build(model: LinearModel, settings: dict[str, Any]) -> Filter:
         step,
         mean=lambda state: state.estimate,
         variance=lambda state: np.diagonal(second_moments.mean_square_error(state.moment, n)),
+        covariance=lambda state, components: second_moments.mean_square_error(state.moment, n)[
+            np.ix_(components, components)
+        ],
     )

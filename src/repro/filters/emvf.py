@@ -122,6 +122,9 @@ def build_with(
         mean=lambda state: state.estimate.T,
         predicted=predict,
         degenerate=lambda state: state.degenerate,
+        covariance=lambda state, components: np.moveaxis(
+            state.covariance[np.ix_(components, components)], -1, 0
+        ),
     )
 
 

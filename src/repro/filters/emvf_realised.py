@@ -26,8 +26,8 @@ class State(NamedTuple):
 def build(model: Model, settings: RealisedIndicators) -> Filter:
     """The EMVF with delays of the step that `indicator_of` names."""
     inner = emvf.build_with(model, settings, realised_delay=lambda seen: seen.delay)
-    predicted, degenerate = inner.predicted, inner.degenerate
-    assert predicted is not None and degenerate is not None
+    predicted, degenerate, covariance = inner.predicted, inner.degenerate, inner.covariance
+    assert predicted is not None and degenerate is not None and covariance is not None
     printed = settings.indicator_of == "k"
 
     def init(streams):
@@ -48,4 +48,5 @@ def build(model: Model, settings: RealisedIndicators) -> Filter:
         mean=lambda state: inner.mean(state.emvf),
         predicted=lambda state, k: predicted(state.emvf, k),
         degenerate=lambda state: degenerate(state.emvf),
+        covariance=lambda state, components: covariance(state.emvf, components),
     )

@@ -4,6 +4,7 @@ Not in the paper, and for short horizons only: the number of sequences doubles a
 a linear system it is the minimum mean squared error estimate, to which the RBPF converges.
 """
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -65,10 +66,10 @@ def build(model: Model, settings: dict[str, Any]) -> Filter:
         )
 
     def combined(state: State, values: np.ndarray) -> np.ndarray:
-        """Weighted sum over the sequences of (n, trials * sequences), (trials, n)."""
+        """Weighted sum over the sequences of (m, trials * sequences), (trials, m)."""
         weights = arrays.exp(state.log_weights - state.log_weights.max(axis=-1, keepdims=True))
         weights /= weights.sum(axis=-1, keepdims=True)
-        return (values.reshape(n, *weights.shape) * weights).sum(axis=-1).T
+        return (values.reshape(-1, *weights.shape) * weights).sum(axis=-1).T
 
     def mean(state: State) -> np.ndarray:
         return combined(state, state.estimate)
@@ -78,4 +79,11 @@ def build(model: Model, settings: dict[str, Any]) -> Filter:
         spread = (state.estimate - mean(state).T.repeat(sequences, axis=-1)) ** 2
         return combined(state, kalman.variances(state.covariance, n) + spread)
 
-    return Filter(init, step, mean, variance=variance, particles=SEQUENCES)
+    def covariance(state: State, components: Sequence[int]) -> np.ndarray:
+        sequences, d = state.log_weights.shape[1], len(components)
+        error = state.estimate - mean(state).T.repeat(sequences, axis=-1)
+        of_each = np.moveaxis(kalman.covariances(state.covariance, n, components), 0, -1)
+        spread = error[components, None] * error[None, components]
+        return combined(state, (of_each + spread).reshape(d * d, -1)).reshape(-1, d, d)
+
+    return Filter(init, step, mean, variance=variance, covariance=covariance, particles=SEQUENCES)

@@ -60,4 +60,5 @@ def build(model: LinearModel, settings: MinimumVariance) -> Filter:
         step,
         mean=lambda state: state.estimate,
         variance=lambda state: np.diagonal(state.covariance),
+        covariance=lambda state, components: state.covariance[np.ix_(components, components)],
     )

@@ -11,6 +11,7 @@ import numpy as np
 
 from repro.filters import Filter
 from repro.filters.families import ross_eh
+from repro.filters.families.clouds import weighted_covariance
 from repro.kernels import joint_energy_step as kernels
 from repro.kernels.resampling import SCHEMES
 from repro.models.sensor_network import SensorNetwork
@@ -74,4 +75,7 @@ def build(model: SensorNetwork, settings: JointBootstrap) -> Filter:
         step,
         mean=lambda state: state.mean,
         degenerate=lambda state: state.degenerate,
+        covariance=lambda state, components: weighted_covariance(
+            state.particles, state.weights, state.mean, components
+        ),
     )

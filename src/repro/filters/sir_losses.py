@@ -5,12 +5,14 @@ with its gamma(k), both drawn from their priors, and is weighted by p(y(k) | x(k
 many particles it converges to the estimate of the RBPF in a linear system [unknown_losses Sec. IV].
 """
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from repro.filters import Filter
 from repro.filters.families import kalman
+from repro.filters.families.clouds import weighted_covariance
 from repro.kernels import random
 from repro.kernels import sampled_states as kernels
 from repro.kernels.resampling import SCHEMES
@@ -80,6 +82,10 @@ def build(model: Model, settings: SampledStates) -> Filter:
         kernels.weigh(weights, states, mean, degenerate)
         return State(keys, states, gamma, weights, mean, degenerate)
 
+    def covariance(state: State, components: Sequence[int]) -> np.ndarray:
+        clouds = state.states.reshape(n, -1, count).transpose(1, 0, 2)
+        return weighted_covariance(clouds, state.weights, state.mean, components)
+
     def arrived(state: State) -> np.ndarray:
         gamma = np.zeros_like(state.weights) if state.gamma is None else state.gamma
         return (state.weights * gamma).sum(axis=-1)
@@ -90,5 +96,6 @@ def build(model: Model, settings: SampledStates) -> Filter:
         mean=lambda state: state.mean,
         degenerate=lambda state: state.degenerate,
         arrived=arrived,
+        covariance=covariance,
         particles=count,
     )

@@ -9,6 +9,7 @@ jth of its trial. gamma, log_weights, weights, parents and column are (trials, p
 from repro.kernels import random, resampling
 from repro.kernels.compiled import kernel
 from repro.kernels.elementary import log, logaddexp
+from repro.kernels.kalman_step import packed
 
 
 @kernel
@@ -184,3 +185,26 @@ def variances(estimate, sigma, mean, spread, first, own, column, weights, out, r
                     values[j] += error * error
             out[trial, i] = resampling.weighted_total(weights[trial], values)
         place += len(estimate) - i
+
+
+@kernel
+def covariances(estimate, sigma, mean, spread, first, own, column, weights, components, out, rows):
+    """(17) of some components, out (trials, d, d), as `variances` has its diagonal.
+
+    components (d,); rows (3, particles): scratch.
+    """
+    n, values, one, other = len(estimate), rows[0], rows[1], rows[2]
+    for a in range(components.size):
+        i = components[a]
+        for b in range(a + 1):
+            j = components[b]
+            entry = sigma[packed(i, j, n)]
+            for trial in range(len(out)):
+                of_particles(entry, first[trial], own, column[trial], values)
+                if spread:
+                    of_particles(estimate[i], first[trial], own, column[trial], one)
+                    of_particles(estimate[j], first[trial], own, column[trial], other)
+                    for p in range(values.size):
+                        values[p] += (one[p] - mean[trial, i]) * (other[p] - mean[trial, j])
+                out[trial, a, b] = resampling.weighted_total(weights[trial], values)
+                out[trial, b, a] = out[trial, a, b]

@@ -52,6 +52,7 @@ class Paper(NamedTuple):
     studies: dict[str, dict[str, Point]]  # study -> point -> values
     analysis: dict[str, dict[str, Any]]  # study -> thresholds of its metrics and claims
     ranking: dict[str, Ranking]  # study -> whose its filters are
+    consistency: dict[str, dict[str, str]]  # study -> points where covariances are judged: why
     run: dict[str, list[str]]  # study -> filters that run on every point without a rule
     examples: dict[str, dict[str, Any]]
     calibration: dict[str, Any]  # box and effort of the search for what was fitted
@@ -63,6 +64,7 @@ class Paper(NamedTuple):
             "authors": self.authors,
             "analysis": self.analysis[study],
             "ranking": self.ranking[study].plain(),
+            "consistency": self.consistency[study],
             "points": {
                 name: {"family": point.family, "swept": point.swept}
                 for name, point in self.studies[study].items()
@@ -168,6 +170,8 @@ def load_paper(path: str | Path) -> Paper:
                     point.family,
                     point.swept,
                 )
+        for point in section.consistency.keys() - found.keys():
+            raise ParameterError(f"{where}.consistency: there is no point {point}; name one of it")
     examples = {name: plain(entries) for name, entries in content.examples.items()}
     return Paper(
         content.paper,
@@ -176,6 +180,7 @@ def load_paper(path: str | Path) -> Paper:
         studies,
         analysis,
         {name: section.ranking for name, section in content.studies.items()},
+        {name: section.consistency for name, section in content.studies.items()},
         {name: section.run for name, section in content.studies.items()},
         examples,
         plain(content.calibration),

@@ -74,6 +74,8 @@ class StudySection(Values):
     ranking: Ranking = Field(default_factory=Ranking)
     filters: dict[str, Entries] = Field(default_factory=dict)
     analysis: Entries = Field(default_factory=dict)  # thresholds of the metrics and claims
+    # Points at which filters' own covariances are judged, and why there.
+    consistency: dict[str, Text] = Field(default_factory=dict)
     points: Annotated[list[Family], Field(min_length=1)]
 
 

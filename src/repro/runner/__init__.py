@@ -21,18 +21,23 @@ from repro.parameters.settings import (
     typed_settings,
 )
 from repro.runner.block import Block
+from repro.runner.consistency import judged_claims
 from repro.runner.faults import Inside, Progress, Task
 from repro.statistics.runs import Runs, RunsWriter
 from repro.streams import Streams
 from repro.studies import ClosedLoop, Study
 
 
-def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, Runs]:
+def run(
+    log: Log, filter_: Any, settings: dict[str, Any], consistency: bool = False
+) -> tuple[np.ndarray, Runs]:
     """Estimates (trials, steps, n) and runs of a filter on every trial of a log.
 
     `filter_` is a name, or whatever has LABEL, SEES and build. Settings `assumed_<parameter>` give
     it a model with other parameters than the log's. Without /truth in the log the errors are NaN.
-    Raises ReproError if the filter breaks its contract.
+    With `consistency` the runs keep whether the filter's covariance is true, if it has one: NEES of
+    the groups of components that the study judges. Raises ReproError if the filter breaks its
+    contract.
     """
     study, name, module = plugins.study(log.study), *plugins.named_filter(filter_)
     task = Task(name, f"{log.study}, {log.point}")
@@ -59,6 +64,7 @@ def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, R
             states=len(model.initial_mean),
             first_step=study.first_step(log.parameters),
             kept=_kept(study),
+            judged=study.judged_components if consistency else None,
         )
         blocks.append(block.run(progress))
         if isinstance(typed, PlainSettings):
@@ -67,13 +73,19 @@ def run(log: Log, filter_: Any, settings: dict[str, Any]) -> tuple[np.ndarray, R
     flown = {t: _joined([block.flown[t] for block in blocks]) for t in blocks[0].flown}
     log = log._replace(values=log.values | flown)  # a closed loop decides its own truth
     error = study.error(log, estimate) if "/truth" in log.values else np.full_like(estimate, np.nan)
+    of_blocks = {
+        group: _joined([block.covariances[group] for block in blocks])
+        for group in blocks[0].covariances
+    }
+    claims = judged_claims(error, study.judged_components, of_blocks)
     return estimate, Runs(
         error=error,
         claimed=_claimed([block.claimed for block in blocks]),
         degenerate=np.concatenate([block.degenerate for block in blocks]),
         recorded={
             key: _joined([block.recorded[key] for block in blocks]) for key in blocks[0].recorded
-        },
+        }
+        | claims,
         flown=flown,
     )
 
@@ -135,6 +147,7 @@ class FilteredPoint(NamedTuple):
     log_origin: str | None = None  # what the log must come from; None: anything
     origin: str = ""  # what the runs come from
     log_of: str | None = None  # the point whose log it is; None: its own
+    consistency: bool = False  # whether the runs keep if the filter's covariance is true
 
 
 def in_shard(
@@ -143,7 +156,8 @@ def in_shard(
     """What a job needs of each point of a batch to run a filter on a shard of its trials.
 
     `root` is the folder of the results. Of each point are given `trials` of all shards, `settings`,
-    the point `log_of` whose log it reads, and the digests of what `log` and `runs` are made with.
+    the point `log_of` whose log it reads, whether `consistency` is kept, and the digests of what
+    `log` and `runs` are made with.
     """
     layout, found = Layout(root), {}
     for point, given in points.items():
@@ -154,6 +168,7 @@ def in_shard(
             log_origin=origin(given["log"], trials),
             origin=origin(given["runs"], trials),
             log_of=given["log_of"],
+            consistency=given["consistency"],
         )
     return found
 
@@ -175,7 +190,7 @@ def run_filter(
         for point, given in points.items():
             begun = time.process_time()
             log = read_checked_log(given.log, study, given.log_of or point, given.log_origin)
-            _, runs = run(log._replace(point=point), name, given.settings)
+            _, runs = run(log._replace(point=point), name, given.settings, given.consistency)
             writer.add(point, runs, given.origin)
             seconds[point] = time.process_time() - begun
     return seconds

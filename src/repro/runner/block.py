@@ -1,5 +1,6 @@
 """A filter on some trials, step by step."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -8,6 +9,7 @@ from repro.errors import ReproError
 from repro.filters import Filter
 from repro.network.channels import Channels, Seen
 from repro.runner.faults import Inside, Progress, Task
+from repro.statistics.consistency import INNOVATION
 from repro.streams import Streams
 
 # Axes of the arrays that a filter returns.
@@ -18,6 +20,8 @@ SHAPES = {
     "variance": ("n", "trials, n"),
     "arrived": ("trials",),
     "degenerate": ("trials",),
+    "covariance": ("d, d", "trials, d, d"),
+    "normalised_innovation": ("trials",),
 }
 
 
@@ -29,6 +33,7 @@ class BlockResult(NamedTuple):
     degenerate: np.ndarray  # guarded updates, (trials,)
     recorded: dict[str, np.ndarray]
     flown: dict[str, np.ndarray]
+    covariances: dict[str, np.ndarray]  # claimed, (trials, steps, d, d), of groups of components
 
 
 class Block:
@@ -47,21 +52,19 @@ class Block:
         states: int,
         first_step: int,
         kept: tuple[str, ...] = (),
+        judged: Mapping[str, Sequence[int]] | None = None,
     ):
-        """`numbers` are those of the trials; a study that begins with y(0) has first_step 0."""
+        """`numbers` are those of the trials; a study that begins with y(0) has first_step 0.
+
+        `judged` are the components whose claimed covariance is kept, by the name of their group.
+        """
         self._task, self._filter, self._sees = task, built, sees
         self._channels, self._streams, self._numbers = channels, streams, numbers
-        self._first, self._kept = first_step, kept
+        self._first, self._kept, self._judged = first_step, kept, judged or {}
         # (steps, n, trials), as filters have it: to write (trials, steps, n) step by step is slow
         self._estimate = np.empty((steps, states, len(numbers)))
         self._trials = f"trials {numbers[0]} to {numbers[-1]}"
-        lengths = {"trials": len(numbers), "n": states}
-        self._allowed = {
-            name: {
-                f"({shape})": tuple(lengths[axis] for axis in shape.split(", ")) for shape in shapes
-            }
-            for name, shapes in SHAPES.items()
-        }
+        self._lengths = {"trials": len(numbers), "n": states}
         self._history: dict[str, list[Any]] = {}  # of what is kept of each step besides
 
     def run(self, progress: Progress | None = None) -> BlockResult:
@@ -104,6 +107,7 @@ class Block:
                 values = self._optional(name, k, function, self._state)
                 steps = self._history.setdefault(name, [])
                 steps.append(_held(values, steps[-1] if steps else 0.0, over))
+        self._keep_claims(k, over)
         if self._filter.diagnostics:
             with self._inside("diagnostics(state)", k):
                 found = dict(self._filter.diagnostics(self._state))
@@ -111,8 +115,27 @@ class Block:
                 steps = self._history.setdefault(f"diagnostic {name}", [])
                 steps.append(self._shaped("diagnostics", f"(state)['{name}']", k, values))
 
+    def _keep_claims(self, k: int, over: np.ndarray | None) -> None:
+        """Keep what says whether the filter's own covariance is true."""
+        covariance, innovation = self._filter.covariance, self._filter.normalised_innovation
+        for name, components in self._judged.items():
+            if covariance is not None:
+                of = self._optional("covariance", k, covariance, self._state, components)
+                steps = self._history.setdefault(f"covariance {name}", [])
+                of_trials = np.broadcast_to(of, (len(self._numbers), *of.shape[-2:]))
+                steps.append(_held(of_trials, steps[-1] if steps else 0.0, over))
+        if self._judged and innovation is not None:
+            steps = self._history.setdefault("innovation", [])
+            steps.append(self._optional("normalised_innovation", k, innovation, self._state))
+
     def _result(self) -> BlockResult:
         history, recorded = self._history, self._channels.record()
+        claims = {
+            name.removeprefix("covariance "): np.stack(history.pop(name), axis=1)
+            for name in [name for name in history if name.startswith("covariance ")]
+        }
+        if "innovation" in history:
+            recorded[INNOVATION] = _over_steps(history.pop("innovation"))
         if "arrived" in history:
             recorded["arrived"] = _over_steps(history.pop("arrived")) > 0.5  # the likelier
         claimed = history.pop("variance", None)
@@ -129,6 +152,7 @@ class Block:
             degenerate,
             recorded,
             self._channels.flown(),
+            claims,
         )
 
     def _checked(self, mean: np.ndarray, k: int) -> np.ndarray:
@@ -145,14 +169,22 @@ class Block:
 
     def _optional(self, name: str, k: int, function: Any, *arguments: Any) -> np.ndarray:
         """What an optional function of the filter returns, checked for its shape."""
-        signature = "(state, k)" if len(arguments) == 2 else "(state)"
+        signature = {"predicted": "(state, k)", "covariance": "(state, components)"}.get(
+            name, "(state)"
+        )
         with self._inside(name + signature, k):
             values = function(*arguments)
-        return self._shaped(name, signature, k, values)
+        lengths = {"d": len(arguments[1])} if name == "covariance" else {}
+        return self._shaped(name, signature, k, values, **lengths)
 
-    def _shaped(self, name: str, signature: str, k: int, values: Any) -> np.ndarray:
+    def _shaped(self, name: str, signature: str, k: int, values: Any, **lengths: int) -> np.ndarray:
         """The values as an array, if real and of a shape that the function may return."""
-        array, allowed = np.asarray(values), self._allowed[name]
+        lengths |= self._lengths
+        allowed = {
+            f"({shape})": tuple(lengths[axis] for axis in shape.split(", "))
+            for shape in SHAPES[name]
+        }
+        array = np.asarray(values)
         if array.shape not in allowed.values():
             expected = " or ".join(f"{axes} = {shape}" for axes, shape in allowed.items())
             raise ReproError(

@@ -4,7 +4,8 @@ A study's module gives STUDY, an object of a class below, and the class of its p
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, ClassVar
 
 import numpy as np
@@ -17,6 +18,7 @@ from repro.statistics.metrics import Statistic
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
 from repro.streams import Streams
+from repro.studies.information import Information
 
 Fields = dict[str, tuple[str, ...]]  # topic -> names of its fields
 Integers = dict[str, dict[str, tuple[int, int]]]  # topic -> field -> least and greatest value
@@ -38,6 +40,10 @@ class Study(ABC):
     kept_components: ClassVar[tuple[int, ...] | None] = None  # of the errors, in files; None: all
     keeps_claimed_variance: ClassVar[bool] = True  # the variances that the filters claim
     keeps_inferred_arrivals: ClassVar[bool] = False  # what the filters infer of the arrivals
+    # Filters whose claim is the least error that any filter of a kind can have: which kind.
+    best_filters: ClassVar[Mapping[str, str]] = MappingProxyType({})
+    # Groups of components whose claimed covariance is judged, among those that are kept.
+    judged_components: ClassVar[Mapping[str, Sequence[int]]] = MappingProxyType({})
 
     @abstractmethod
     def topics(self, parameters: Any) -> Fields:
@@ -119,6 +125,15 @@ class Study(ABC):
         The whole state from the first estimated step on, unless a study overrides it.
         """
         return (runs.error**2).sum(axis=-1)[:, 1:]
+
+    def counted(self, runs: Runs) -> np.ndarray:
+        """The steps of each run at which its filter is judged, (trials, steps) of flags."""
+        after_first = np.arange(runs.error.shape[1]) > 0
+        return np.broadcast_to(after_first, runs.error.shape[:2])
+
+    def information(self, log: Log) -> Information | None:
+        """What the measurements of a log say, for a bound; None where no bound is known."""
+        return None
 
     def lost(self, runs: Runs, analysis: Any) -> np.ndarray | None:
         """Which runs have lost what they track, (trials,); None where none can."""

@@ -1,5 +1,6 @@
 """The linear example with packet delays [packet_delays Sec. 4.1, Figs. 1-2]."""
 
+from types import MappingProxyType
 from typing import Annotated
 
 import numpy as np
@@ -71,6 +72,8 @@ class LinearDelays(Study):
 
     Parameters = Parameters
     Analysis = Analysis
+    best_filters = MappingProxyType({"genie": "delays known", "sun": "linear filters"})
+    judged_components = MappingProxyType({"state": (0, 1)})
     systems_per_block = 1000
 
     def topics(self, parameters: Parameters) -> dict[str, tuple[str, ...]]:

@@ -1,5 +1,6 @@
 """A linear system with unknown measurement losses [unknown_losses Sec. VI-A]."""
 
+from types import MappingProxyType
 from typing import Annotated, Literal
 
 import numpy as np
@@ -20,6 +21,7 @@ from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
 from repro.studies import Fields, Integers, Rows, StreamsOf, Study
+from repro.studies.information import Information, of_model
 
 COMPONENTS = ("x1", "x2")
 
@@ -118,6 +120,8 @@ class LinearLosses(Study):
     Parameters = Parameters
     Analysis = Analysis
     keeps_inferred_arrivals = True
+    best_filters = MappingProxyType({"exact": "losses unknown"})
+    judged_components = MappingProxyType({"state": (0, 1)})
     systems_per_block = 20000  # a call of NumPy costs as much as hundreds of systems
 
     def topics(self, parameters: Parameters) -> Fields:
@@ -192,6 +196,10 @@ class LinearLosses(Study):
             received=log.values["/received"][trials],
             arrival=log.field("/network", "gamma")[trials],
         )
+
+    def information(self, log: Log) -> Information:
+        gamma, first = log.field("/network", "gamma"), self.first_step(log.parameters)
+        return of_model(self.model(log.parameters), log.values["/truth"], gamma, first)
 
     def squared_error(self, runs: Runs) -> np.ndarray:
         """|x(k) - xh(k|k)|^2 at k = 1, 2, ..., (trials, steps)."""

@@ -1,5 +1,6 @@
 """The quadrotor in closed loop [unknown_losses Sec. VI-C, Table III, Figs. 6-10]."""
 
+from types import MappingProxyType
 from typing import NoReturn
 
 import numpy as np
@@ -92,6 +93,9 @@ class Quadrotor(ClosedLoop):
     systems_per_block = 1200
     keeps_inferred_arrivals = True
     keeps_claimed_variance = False  # no table shows them
+    judged_components = MappingProxyType(
+        {"position": (9, 10, 11), "velocity": (6, 7, 8), "angles": (3, 4, 5)}
+    )
     error_unit = "m"
     topics_between_steps = ("/process", "/throttle")
     trajectory = (("x", "y"), ("x", "z"))
@@ -184,6 +188,10 @@ class Quadrotor(ClosedLoop):
     def squared_error(self, runs: Runs) -> np.ndarray:
         """Squared distance to the reference, (flights, steps), in m^2."""
         return runs.recorded["distance"] ** 2
+
+    def counted(self, runs: Runs) -> np.ndarray:
+        """The steps that were flown, (flights, steps) of flags."""
+        return flying(runs) & super().counted(runs)
 
     def lost(self, runs: Runs, analysis: Analysis) -> np.ndarray:
         """Which flights ended before the last step, (flights,)."""

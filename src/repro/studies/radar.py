@@ -1,5 +1,6 @@
 """Radar tracking with unknown measurement losses [unknown_losses Sec. VI-B]."""
 
+from types import MappingProxyType
 from typing import Annotated, Literal
 
 import numpy as np
@@ -21,6 +22,7 @@ from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
 from repro.studies import Fields, Integers, Rows, StreamsOf, Study
+from repro.studies.information import Information, of_model
 
 
 class Parameters(PointParameters):
@@ -125,6 +127,7 @@ class Radar(Study):
     trajectory = (("p1", "p2"),)
     error_unit = "m"
     kept_components = (system.STATE.index("p1"), system.STATE.index("p2"))
+    judged_components = MappingProxyType({"position": kept_components})
 
     def topics(self, parameters: Parameters) -> Fields:
         return {
@@ -202,6 +205,10 @@ class Radar(Study):
             received=log.values["/received"][trials],
             arrival=log.field("/network", "gamma")[trials],
         )
+
+    def information(self, log: Log) -> Information:
+        gamma, first = log.field("/network", "gamma"), self.first_step(log.parameters)
+        return of_model(self.model(log.parameters), log.values["/truth"], gamma, first)
 
     def squared_error(self, runs: Runs) -> np.ndarray:
         """Squared position error at k = 1, 2, ..., (trials, steps), in m^2."""

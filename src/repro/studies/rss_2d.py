@@ -44,7 +44,7 @@ class Rss2d(SignalStrengthStudy):
     Analysis = Analysis
     systems_per_block = 40
     trajectory = (("s_x", "s_y"),)
-    components = signal_strength.components(2)
+    components = judged_components = signal_strength.components(2)
 
     def topics(self, parameters: Parameters) -> Fields:
         return harvesting_sensors.topics(STATE, parameters.sensors)

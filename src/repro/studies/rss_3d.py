@@ -29,7 +29,7 @@ class Rss3d(SignalStrengthStudy):
     Parameters = Parameters
     systems_per_block = 20
     trajectory = (("s_x", "s_y"),)
-    components = signal_strength.components(3)
+    components = judged_components = signal_strength.components(3)
 
     def topics(self, parameters: Parameters) -> Fields:
         return harvesting_sensors.topics(STATE, parameters.sensors)

@@ -47,7 +47,7 @@ class Ungm(HarvestingStudy):
     Parameters = Parameters
     Analysis = ExactnessAnalysis
     systems_per_block = 200
-    components = MappingProxyType({"state": (0,)})
+    components = judged_components = MappingProxyType({"state": (0,)})
 
     def topics(self, parameters: Parameters) -> Fields:
         return harvesting_sensors.topics(("x",), len(parameters.sensor_offsets))

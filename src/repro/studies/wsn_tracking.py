@@ -1,5 +1,7 @@
 """Target tracking in a wireless sensor network with packet delays [packet_delays Sec. 4.2]."""
 
+from types import MappingProxyType
+
 import numpy as np
 
 from repro.kernels import turn_and_schedule
@@ -70,6 +72,7 @@ class WsnTracking(Study):
     trajectory = (("px", "py"),)
     error_unit = "m"
     kept_components = POSITION
+    judged_components = MappingProxyType({"position": POSITION})
     keeps_claimed_variance = False  # no table shows them
     constant_topics = ("/field",)
     log_remark = (

@@ -61,6 +61,11 @@ class Results:
         """Which filters of a study are the paper's, and which measure them."""
         return Ranking.checked(self._studies[study]["ranking"], f"{study}: ranking")
 
+    def consistency(self, study: str) -> list[str]:
+        """The points at which the filters' own covariances are judged, as far as they run."""
+        judged = self._studies[study]["consistency"]
+        return [point for point in judged if point in self.catalogue[study]]
+
     def points(self, study: str) -> dict[str, dict[str, Any]]:
         """`family` and `swept` values of the points on which filters run, by name."""
         of_study = self._studies[study]["points"]
@@ -199,6 +204,14 @@ class Results:
     def error_shares(self, study: str) -> pd.DataFrame:
         """The distribution of those errors over the runs."""
         return pd.read_csv(self.layout.error_shares(study))
+
+    def consistency_table(self, study: str) -> pd.DataFrame:
+        """Whether the filters' own covariances are true."""
+        return pd.read_csv(self.layout.consistency(study), keep_default_na=True)
+
+    def bounds_table(self, study: str) -> pd.DataFrame:
+        """Lower bounds of the errors, beside those of the filters."""
+        return pd.read_csv(self.layout.bounds(study))
 
     def calibration(self, name: str) -> pd.DataFrame:
         """A table of what the search for fitted parameters has found."""

@@ -28,6 +28,7 @@ class State(NamedTuple):
     covariance: np.ndarray  # Sigma(k|k), packed, (n (n + 1) / 2, trials)
     last: Any  # what the filter keeps of gamma(k), (trials,); None before the first packet
     weight: Any = 0.0  # of y(k) in the update, (trials,) or one for all
+    innovation: kalman.Innovation | None = None  # None before the first packet
 
 
 def build(model: Model, weigh: Weigh, spread: bool = False, channel: str = "received") -> Filter:
@@ -59,7 +60,13 @@ def build(model: Model, weigh: Weigh, spread: bool = False, channel: str = "rece
 
         weight, last = weigh(seen, evidence, state.last)
         corrected = kalman.correct(estimate, covariance, innovation, weight, spread)  # (4)
-        return State(*corrected, last, weight)
+        return State(*corrected, last, weight, innovation)
+
+    def normalised_innovation(state: State) -> np.ndarray:
+        """Of the steps at which y(k) is taken for a measurement."""
+        if state.innovation is None:
+            return np.full(state.estimate.shape[1], np.nan)
+        return np.where(np.greater(state.weight, 0.5), kalman.normalised(state.innovation), np.nan)
 
     return Filter(
         init,
@@ -68,6 +75,10 @@ def build(model: Model, weigh: Weigh, spread: bool = False, channel: str = "rece
         predicted=lambda state, k: model.transition(state.estimate.T, k - 1),
         variance=lambda state: kalman.variances(state.covariance, len(state.estimate)).T,
         arrived=lambda state: np.broadcast_to(state.weight, state.estimate.shape[1:]),
+        covariance=lambda state, components: kalman.covariances(
+            state.covariance, len(state.estimate), components
+        ),
+        normalised_innovation=normalised_innovation,
     )
 
 

@@ -5,7 +5,7 @@ An estimate is (n, systems); a symmetric matrix is its upper triangle row by row
 of `repro.kernels.kalman_step`, in which no result depends on the other systems of its batch.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
 from typing import NamedTuple
 
@@ -32,6 +32,14 @@ def variances(packed: np.ndarray, n: int) -> np.ndarray:
     """Diagonals of packed matrices, (n, systems)."""
     rows, columns = _upper(n)
     return packed[rows == columns]
+
+
+def covariances(packed: np.ndarray, n: int, components: Sequence[int]) -> np.ndarray:
+    """Rows and columns of packed matrices, (systems, d, d)."""
+    places = np.zeros((n, n), dtype=np.int64)
+    places[_upper(n)] = np.arange(len(packed))
+    places = np.maximum(places, places.T)[np.ix_(components, components)]
+    return np.moveaxis(packed[places], -1, 0)
 
 
 def start(model: Model, systems: int) -> tuple[np.ndarray, np.ndarray]:
@@ -94,6 +102,11 @@ def innovate(
         np.empty((m + 1, m, kernels.PART)),
     )
     return found
+
+
+def normalised(innovation: Innovation) -> np.ndarray:
+    """e' S^-1 e / m, (systems,)."""
+    return (innovation.values**2 * innovation.precisions).mean(axis=0)
 
 
 def noise_log_likelihood(model: Model) -> Callable[[np.ndarray], np.ndarray]:

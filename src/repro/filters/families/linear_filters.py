@@ -91,6 +91,7 @@ def unknown_rows(system: System, rows: np.ndarray, weights: np.ndarray, channel:
         step,
         mean=lambda state: state.estimate[:, : system.plant_states],
         variance=lambda state: np.diagonal(state.covariance)[: system.plant_states],
+        covariance=lambda state, components: state.covariance[np.ix_(components, components)],
     )
 
 
@@ -132,5 +133,8 @@ def known_rows(
         mean=lambda state: state.estimate[:, : system.plant_states],
         variance=lambda state: np.diagonal(state.covariance, axis1=1, axis2=2)[
             :, : system.plant_states
+        ],
+        covariance=lambda state, components: state.covariance[
+            (slice(None), *np.ix_(components, components))
         ],
     )

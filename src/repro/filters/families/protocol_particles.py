@@ -6,13 +6,14 @@ the coupling is drawn, whether the likelihood accounts for the censoring, and wh
 chosen with the new measurement (auxiliary) or without it (bootstrap).
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from repro.filters import Filter
 from repro.filters.families import censored_likelihood
+from repro.filters.families.clouds import weighted_covariance
 from repro.kernels import coupled_targets_step as kernels
 from repro.kernels.resampling import SCHEMES
 from repro.models.coupled_targets import CoupledTargets
@@ -120,10 +121,17 @@ def _filter(advance: Callable, model: CoupledTargets, settings: ProtocolParticle
         advance(k, seen, cloud.keys, (cloud[:5], after[:5]), scratch)
         return after
 
+    def covariance(cloud: Cloud, components: Sequence[int]) -> np.ndarray:
+        """Of components of one node: the filters of the nodes have particles of their own."""
+        (node,) = {component // 3 for component in components}
+        of_node = (cloud.particles[:, node], cloud.weights[:, node], cloud.mean[:, node])
+        return weighted_covariance(*of_node, [component % 3 for component in components])
+
     return Filter(
         init,
         step,
         mean=lambda cloud: cloud.mean.reshape(len(cloud.mean), -1),
         degenerate=lambda cloud: cloud.degenerate,
         diagnostics=lambda cloud: {"effective_sample_size": cloud.effective_sample_size},
+        covariance=covariance,
     )

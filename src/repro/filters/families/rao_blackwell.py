@@ -4,7 +4,7 @@ A particle is a loss sequence; given it, the state has a Kalman filter. The Kalm
 columns of a bank: a column a particle in Algorithm 3, a column a distinct triple in Algorithm 4.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -80,6 +80,7 @@ def build(model: Model, settings: RaoBlackwell, update: Update) -> Filter:
     selecting = float(settings.threshold * count), SCHEMES[settings.resampling]
     spread = settings.covariance == "with spread"
     rows, drawn = np.empty((2, count)), np.empty(2 * count + 4)
+    of_pairs = np.empty((3, count))
 
     def init(streams: Streams) -> State:
         """Step 1, without its gamma(0), which is drawn as that of any step."""
@@ -145,6 +146,14 @@ def build(model: Model, settings: RaoBlackwell, update: Update) -> Filter:
         kernels.variances(*known, found, rows)
         return found
 
+    def covariance(state: State, components: Sequence[int]) -> np.ndarray:
+        """Of some components, likewise."""
+        (estimate, covariance, first), column = state.bank, state.particles.column
+        found = np.empty((len(state.mean), len(components), len(components)))
+        known = estimate, covariance, state.mean, spread, first, own, column, state.weights
+        kernels.covariances(*known, np.array(components), found, of_pairs)
+        return found
+
     return Filter(
         init,
         step,
@@ -152,6 +161,7 @@ def build(model: Model, settings: RaoBlackwell, update: Update) -> Filter:
         variance=variance,
         degenerate=lambda state: state.degenerate,
         arrived=lambda state: (state.weights * state.particles.gamma).sum(axis=-1),
+        covariance=covariance,
         particles=count,
     )
 

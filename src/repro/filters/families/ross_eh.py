@@ -4,12 +4,13 @@ All are one bootstrap filter. They differ in which of the two impairments they a
 the transmission probability that they assume.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from repro.filters import Filter
+from repro.filters.families.clouds import weighted_covariance
 from repro.kernels import arrays, resampling
 from repro.kernels import sensor_network_step as kernels
 from repro.kernels.resampling import SCHEMES
@@ -75,6 +76,9 @@ def build(
         kernel(cloud.keys, k, z, *plant(k), *known, *clouds, *scratch)
         return after
 
+    def covariance(cloud: Cloud, components: Sequence[int]) -> np.ndarray:
+        return weighted_covariance(cloud.particles, cloud.weights, cloud.mean, components)
+
     def diagnostics(cloud: Cloud) -> dict[str, np.ndarray]:
         sizes = np.empty(len(cloud.weights))
         resampling.effective_sample_sizes(cloud.weights, sizes)
@@ -86,6 +90,7 @@ def build(
         mean=lambda cloud: cloud.mean,
         degenerate=lambda cloud: cloud.degenerate,
         diagnostics=diagnostics,
+        covariance=covariance,
     )
 
 

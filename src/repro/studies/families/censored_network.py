@@ -5,6 +5,7 @@ Equation numbers are those of that paper.
 """
 
 from collections.abc import Callable
+from types import MappingProxyType
 
 import numpy as np
 
@@ -54,6 +55,9 @@ class CensoredNetwork(Study):
     Parameters = Parameters
     Analysis = Analysis
     systems_per_block = 20
+    judged_components = MappingProxyType(
+        {f"target_{i}": (3 * n, 3 * n + 1) for n, i in enumerate(TARGETS)}
+    )
     error_unit = "m"
     trajectory = tuple((f"px_{i}", f"py_{i}") for i in TARGETS)
 

@@ -5,6 +5,8 @@ from typing import Annotated, Generic, Self, TypeVar
 import numpy as np
 from pydantic import Field, model_validator
 
+from repro.kernels import arrays
+from repro.kernels.sensed_plants import SQUARED_DISTANCE_FLOOR
 from repro.logs import Log
 from repro.models import rss
 from repro.models.sensor_network import DrawPrior, GaussianNoise, SensorNetwork
@@ -17,6 +19,7 @@ from repro.studies.families.harvesting_sensors import (
     HarvestingParameters,
     HarvestingStudy,
 )
+from repro.studies.information import Information, mean_information
 
 Position = TypeVar("Position", bound=tuple[float, ...])
 State = TypeVar("State", bound=tuple[float, ...])
@@ -100,6 +103,39 @@ class SignalStrengthStudy(HarvestingStudy):
             np.moveaxis(truth, 1, -1), levels, parameters, noise(parameters), streams
         )
 
+    def information(self, log: Log) -> Information | None:
+        """A saturated output says nothing; the start is known, unless it is drawn: then None."""
+        parameters, truth = log.parameters, log.values["/truth"]
+        if parameters.initial_truth == "drawn":
+            return None
+        levels = np.moveaxis(truth, 2, 1)
+        time, root = _motion(parameters)
+        n, axes = truth.shape[2], truth.shape[2] // 2
+        of_sensors = range(parameters.sensors)
+        sent = harvesting_sensors.sent(log) > 0.5
+        gamma = [log.field("/network", f"saturation_{i + 1}") > 0.5 for i in of_sensors]
+        saturates = np.stack(gamma, axis=-1)
+        informations = np.empty((truth.shape[1], 2 * parameters.sensors, n, n))
+        variances = noise(parameters)
+        for i in of_sensors:
+            rows = gradient(parameters, truth, i)
+            within = np.abs(level(parameters, levels, i)) <= parameters.saturation_level
+            precision = 1.0 / (variances.measurement_variances[i] + variances.channel_variance)
+            for k in range(truth.shape[1]):
+                for j, of in (
+                    (i, rows[:, k]),
+                    (i + len(of_sensors), rows[:, k] * within[:, k, None]),
+                ):
+                    informations[k, j] = mean_information(of[:, None], np.array([precision]))
+        return Information(
+            np.kron(np.eye(axes), [[1.0, time], [0.0, 1.0]]),
+            np.kron(np.eye(axes), (root[:, None] * root).sum(axis=-1)),
+            np.zeros((n, n)),
+            1,
+            informations,
+            np.concatenate([sent & ~saturates, sent & saturates], axis=-1),
+        )
+
     def squared_error(self, runs: Runs) -> np.ndarray:
         """Squared position error at k = 1, 2, ..., (trials, steps), in m^2."""
         return harvesting_sensors.squared(runs, range(0, runs.error.shape[-1], 2))[:, 1:]
@@ -144,6 +180,18 @@ def level(parameters: SignalStrengthParameters, x: np.ndarray, i: int) -> np.nda
         parameters.path_loss_exponent,
         parameters.reference_distance,
     )
+
+
+def gradient(parameters: SignalStrengthParameters, truth: np.ndarray, i: int) -> np.ndarray:
+    """Derivative of h^i in dBm at states (trials, steps, n), of the same shape."""
+    offset = truth[..., 0::2] - positions(parameters)[i]
+    squared = np.zeros(offset.shape[:-1])
+    for axis in range(offset.shape[-1]):
+        squared += offset[..., axis] ** 2
+    rows = np.zeros(truth.shape)
+    slope = -10.0 * parameters.path_loss_exponent / arrays.log(10.0)
+    rows[..., 0::2] = slope * offset / np.maximum(squared, SQUARED_DISTANCE_FLOOR)[..., None]
+    return rows
 
 
 def saturated(log: Log, sensor: int) -> np.ndarray:
