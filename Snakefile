@@ -20,6 +20,7 @@ include: "workflow/rules/calibration.smk"
 include: "workflow/rules/ranking.smk"
 include: "workflow/rules/pages.smk"
 include: "workflow/rules/seeds.smk"
+include: "workflow/rules/site.smk"
 
 
 # On a cluster, where a run was started: they take about a second, and verify and timings print.
@@ -37,6 +38,7 @@ localrules:
     packet_example,
     parameters,
     seeds,
+    site,
     timings,
     verify,
 

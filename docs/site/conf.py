@@ -1,0 +1,36 @@
+"""Settings of Sphinx for the site, which is read from the file system: nothing comes from outside."""
+
+project = "Filtering over unreliable networks"
+extensions = ["myst_parser"]
+myst_enable_extensions = ["colon_fence"]
+myst_heading_anchors = 3
+exclude_patterns = ["static", "extra"]
+suppress_warnings = ["myst.header", "ref.python"]
+add_module_names = False
+python_use_unqualified_type_names = True
+toc_object_entries_show_parents = "hide"
+maximum_signature_line_length = 88
+
+html_theme = "pydata_sphinx_theme"
+html_title = project
+html_static_path = ["static"]
+html_extra_path = ["extra"]
+html_css_files = ["datatables.css", "style.css"]
+html_js_files = ["datatables.js", "tables.js"]
+html_copy_source = False
+html_show_sourcelink = False
+# A summary of a found page would be fetched, which a browser refuses from the file system.
+html_show_search_summary = False
+html_sidebars = {"index": [], "leaderboard": [], "changelog": []}
+html_theme_options = {
+    "header_links_before_dropdown": 8,
+    "navbar_align": "left",
+    "secondary_sidebar_items": {"**": ["page-toc"], "index": [], "leaderboard": []},
+    "show_prev_next": False,
+    "footer_start": ["copyright"],
+    "footer_end": [],
+    "search_bar_text": "Search",
+    "pygments_light_style": "a11y-high-contrast-light",
+    "pygments_dark_style": "a11y-high-contrast-dark",
+}
+copyright = "made by a run of the project from its results"
