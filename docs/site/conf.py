@@ -21,9 +21,11 @@ html_copy_source = False
 html_show_sourcelink = False
 # A summary of a found page would be fetched, which a browser refuses from the file system.
 html_show_search_summary = False
-html_sidebars = {"index": [], "leaderboard": [], "changelog": []}
+html_context = {"default_mode": "auto"}
+html_sidebars = dict.fromkeys(("index", "leaderboard", "changelog", "papers/*"), [])
 html_theme_options = {
     "header_links_before_dropdown": 8,
+    "logo": {"text": "Unreliable networks"},
     "navbar_align": "left",
     "secondary_sidebar_items": {"**": ["page-toc"], "index": [], "leaderboard": []},
     "show_prev_next": False,

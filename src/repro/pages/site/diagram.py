@@ -2,6 +2,7 @@
 
 A block of code named `diagram` has a line for each box, from left to right:
 name | line of text | line of text ... | > what enters it from above
+with a space on both sides of each bar.
 """
 
 import re
@@ -56,7 +57,7 @@ def diagram(description: str, where: str) -> str:
 
 
 def _box(line: str) -> Box:
-    name, *rest = (part.strip() for part in line.split("|"))
+    name, *rest = (part.strip() for part in line.split(" | "))
     enters = [part.removeprefix(ENTERS).strip() for part in rest if part.startswith(ENTERS)]
     return Box(name, [part for part in rest if not part.startswith(ENTERS)], ", ".join(enters))
 

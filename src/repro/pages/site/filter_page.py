@@ -12,7 +12,7 @@ from repro.pages.site.docstring import as_markdown
 from repro.pages.site.equations import files_of, steps
 from repro.pages.site.fragments import link, number, raw, table, tag
 from repro.pages.site.further import rows_about
-from repro.pages.site.words import anchor, where_and_what
+from repro.pages.site.words import anchor, in_words, where_and_what
 from repro.parameters.point_names import is_reading
 
 FENCE = "`````"  # no file of this project holds five
@@ -35,7 +35,7 @@ def _sees(content: Content, name: str) -> str:
     seen = ", ".join(tag("code", escape(channel)) for channel in channels) or "no measurement"
     studies = content.studies_with(name)
     papers = dict.fromkeys(content.paper_of(study).name for study in studies)
-    links = ", ".join(link(paper, f"../papers/{paper}.html") for paper in papers)
+    links = ", ".join(link(in_words(paper), f"../papers/{paper}.html") for paper in papers)
     channels_at = ", ".join(link(study, f"../studies/{study}.html#channels") for study in studies)
     return tag("p", f"<strong>Sees</strong> {seen}; what a channel is, by study: {channels_at}.") + tag(
         "p", f"<strong>Compared in</strong> {links}. Its module is <code>repro.filters.{name}</code>."

@@ -9,7 +9,7 @@ from typing import Any
 from repro.pages.markdown import markdown_line
 from repro.pages.site.content import Content
 from repro.pages.site.fragments import link, raw, tag
-from repro.pages.site.words import pictures_named, where_and_what
+from repro.pages.site.words import in_words, pictures_named, where_and_what
 from repro.workflow.code import constants
 
 STUDY_KINDS = ("over_k", "over_sweep", "distribution")
@@ -61,7 +61,7 @@ def gallery_index(content: Content) -> str:
     """The page gallery/index.md, without its list of contents."""
     text = ["# Gallery\n", "Every figure, drawn by the run from a script; each links to its page.\n"]
     for group in groups(content):
-        text += [f"## {group}\n", raw(thumbnails(content, group, "", "../"))]
+        text += [f"## {in_words(group)}\n", raw(thumbnails(content, group, "", "../"))]
     text += ["## Every filter of every study\n", raw(_of_studies(content))]
     return "\n".join(text)
 
@@ -70,7 +70,7 @@ def group_page(content: Content, group: str) -> str:
     """The page gallery/<group>.md, without its list of contents."""
     title = content.papers[group].title if group in content.papers else "All papers"
     return "\n".join(
-        [f"# Figures: {group}\n", f"{markdown_line(title)}\n", raw(thumbnails(content, group, "", "../"))]
+        [f"# {in_words(group)}\n", f"{markdown_line(title)}\n", raw(thumbnails(content, group, "", "../"))]
     )
 
 

@@ -10,12 +10,14 @@ from repro.pages.site.diagram import with_diagrams
 from repro.pages.site.fragments import link, raw, tag
 from repro.pages.site.further import further_results
 from repro.pages.site.printed_tables import printed_tables
+from repro.pages.site.words import in_words
 
 
 def paper_page(content: Content, name: str) -> str:
     """The page papers/<name>.md."""
     paper = content.papers[name]
-    text = [f"# {name}\n", f"{markdown_line(paper.authors)}: *{markdown_line(paper.title)}*.\n"]
+    cited = f"{markdown_line(paper.authors)}: *{markdown_line(paper.title)}*; here `{name}`.\n"
+    text = [f"# {in_words(name)}\n", cited]
     abstract = content.project / "docs/papers" / f"{name}.md"
     if abstract.exists():
         # Its heading is the page's already.

@@ -5,7 +5,7 @@ from html import escape
 
 from repro.pages.site.content import Content, Row
 from repro.pages.site.fragments import badge, link, raw, slug, standing_badge, table, tag
-from repro.pages.site.words import anchor, margin, where_and_what
+from repro.pages.site.words import anchor, in_words, margin, where_and_what
 from repro.verdicts.published import CLASSES, VERDICTS
 
 HEAD = ("paper", "where", "the paper says", "verdict", "evidence", "margin", "readings", "kind")
@@ -52,7 +52,7 @@ def _cells(row: Row) -> list[str | tuple[str, dict[str, str]]]:
     order = {"data_order": str(1e9 if key != key else max(-1e9, min(1e9, key)))}
     edge = " *" if row["on_edge"] is True else ""
     return [
-        escape(row["paper"]),
+        escape(in_words(row["paper"])),
         escape(where),
         link(what, target),
         badge(row["verdict"]) + edge,
@@ -69,7 +69,7 @@ def _summaries(content: Content) -> Iterator[str]:
     for name, paper in content.papers.items():
         rows = [row for row in content.diff if row["paper"] == name]
         bars = "".join(_bar(kind, rows) for kind in VERDICTS)
-        heading = link(name.replace("_", " "), f"papers/{name}.html", class_="paper-name")
+        heading = link(in_words(name), f"papers/{name}.html", class_="paper-name")
         cards.append(
             tag("div", heading + tag("p", escape(f"{paper.authors}: {paper.title}")) + bars, class_="paper-card")
         )

@@ -13,6 +13,7 @@ from repro.pages.site.docstring import as_markdown
 from repro.pages.site.fragments import details, link, number, raw, table, tag
 from repro.pages.site.further import rows_about
 from repro.pages.site.gallery_pages import STUDY_KINDS
+from repro.pages.site.words import in_words
 from repro.parameters.point_names import is_reading
 from repro.studies import ClosedLoop
 
@@ -37,7 +38,7 @@ snakemake -j2                                                         # and in t
 def study_page(content: Content, name: str) -> str:
     """The page studies/<name>.md."""
     study, paper = plugins.study(name), content.paper_of(name)
-    of_paper = link(paper.name, f"../papers/{paper.name}.html")
+    of_paper = link(in_words(paper.name), f"../papers/{paper.name}.html")
     parts = [f"# {name}\n", as_markdown(inspect.getdoc(type(study)) or ""), ""]
     parts += [raw(tag("p", f"A study of {of_paper}: {escape(paper.title)}."))]
     parts += ["## Ranking\n", raw(_ranking(content, name)), "## Figures\n"]
@@ -138,7 +139,7 @@ def index(content: Content) -> str:
     cells = [
         [
             link(name, f"{name}.html"),
-            link(content.paper_of(name).name, f"../papers/{content.paper_of(name).name}.html"),
+            link(in_words(content.paper_of(name).name), f"../papers/{content.paper_of(name).name}.html"),
             escape((inspect.getdoc(type(plugins.study(name))) or "").splitlines()[0]),
         ]
         for name in content.catalogue

@@ -10,6 +10,11 @@ from repro.pages.site.fragments import number, slug
 ROMAN = {"I": 1, "II": 2, "III": 3, "IV": 4, "V": 5}
 
 
+def in_words(name: str) -> str:
+    """The name of a paper as a title."""
+    return name.replace("_", " ").capitalize()
+
+
 def anchor(row: Mapping[str, Any]) -> str:
     """Anchor of a verdict on the page of its paper."""
     return slug(row["item"])
