@@ -1,4 +1,4 @@
-"""Settings of Sphinx for the site, which is read from the file system: nothing comes from outside."""
+"""Settings of Sphinx for the site, which needs no server and no network."""
 
 project = "Filtering over unreliable networks"
 extensions = ["myst_parser"]
@@ -17,22 +17,22 @@ html_static_path = ["static"]
 html_extra_path = ["extra"]
 html_css_files = ["datatables.css", "style.css"]
 html_js_files = ["datatables.js", "tables.js"]
+html_show_copyright = False
 html_copy_source = False
 html_show_sourcelink = False
 # A summary of a found page would be fetched, which a browser refuses from the file system.
 html_show_search_summary = False
 html_context = {"default_mode": "auto"}
-html_sidebars = dict.fromkeys(("index", "leaderboard", "changelog", "papers/*"), [])
+html_sidebars = {page: [] for page in ("index", "leaderboard", "changelog", "papers/*")}
 html_theme_options = {
     "header_links_before_dropdown": 8,
     "logo": {"text": "Unreliable networks"},
     "navbar_align": "left",
     "secondary_sidebar_items": {"**": ["page-toc"], "index": [], "leaderboard": []},
     "show_prev_next": False,
-    "footer_start": ["copyright"],
+    "footer_start": [],
     "footer_end": [],
     "search_bar_text": "Search",
     "pygments_light_style": "a11y-high-contrast-light",
     "pygments_dark_style": "a11y-high-contrast-dark",
 }
-copyright = "made by a run of the project from its results"

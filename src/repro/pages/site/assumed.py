@@ -17,7 +17,12 @@ def assumptions(content: Content, paper: str) -> Iterator[str]:
     stated = [r for r in rows if r["point"] in ("every", "analysis")]
     yield f"The paper does not state {len(stated)} of the values that its studies need.\n"
     cells = [
-        [escape(r["study"]), tag("code", escape(r["parameter"])), _cut(r["value"]), escape(r["why"])]
+        [
+            escape(r["study"]),
+            tag("code", escape(r["parameter"])),
+            _cut(r["value"]),
+            escape(r["why"]),
+        ]
         for r in stated
     ]
     yield raw(

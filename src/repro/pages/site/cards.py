@@ -53,7 +53,12 @@ def _comparisons(comparisons: Sequence[Row], row: Row) -> str:
         ]
         for c in mine
     ]
-    head = ("comparison (the claim says: below zero)", "difference", "in standard errors", "verdict")
+    head = (
+        "comparison (the claim says: below zero)",
+        "difference",
+        "in standard errors",
+        "verdict",
+    )
     return details(f"All {len(mine)} comparisons", table(head, cells)) if mine else ""
 
 
@@ -79,10 +84,8 @@ def _pictures(content: Content, paper: str, where: str) -> str:
     if not names:
         return ""
     first = names[0]
-    shown = tag(
-        "a",
-        f'<img src="../thumbnails/{paper}/{first}.png" alt="{escape(first)} redrawn" loading="lazy">',
-        href=f"../gallery/{paper}/{first}.html",
-    )
+    source = f"../thumbnails/{paper}/{first}.png"
+    picture = f'<img src="{source}" alt="{escape(first)} redrawn" loading="lazy">'
+    shown = tag("a", picture, href=f"../gallery/{paper}/{first}.html")
     links = " ".join(link(name, f"../gallery/{paper}/{name}.html") for name in names)
     return tag("div", shown + tag("p", f"Redrawn: {links}"), class_="card-picture")

@@ -37,8 +37,11 @@ def _sees(content: Content, name: str) -> str:
     papers = dict.fromkeys(content.paper_of(study).name for study in studies)
     links = ", ".join(link(in_words(paper), f"../papers/{paper}.html") for paper in papers)
     channels_at = ", ".join(link(study, f"../studies/{study}.html#channels") for study in studies)
-    return tag("p", f"<strong>Sees</strong> {seen}; what a channel is, by study: {channels_at}.") + tag(
-        "p", f"<strong>Compared in</strong> {links}. Its module is <code>repro.filters.{name}</code>."
+    return tag(
+        "p", f"<strong>Sees</strong> {seen}; what a channel is, by study: {channels_at}."
+    ) + tag(
+        "p",
+        f"<strong>Compared in</strong> {links}. Its module is <code>repro.filters.{name}</code>.",
     )
 
 
@@ -51,8 +54,8 @@ def _algorithm(content: Content, name: str) -> Iterator[str]:
             [escape(s.equation), tag("code", escape(s.code)), f"{escape(_short(s.file))}:{s.line}"]
             for s in found
         ]
-        yield "The lines of the code that an equation of the paper stands beside:\n"
-        yield raw(table(("equation", "line of code", "file"), cells))
+        yield "The lines of the code, and the functions, that name an equation of the paper:\n"
+        yield raw(table(("equation, step", "code", "file"), cells))
     for file in files:
         text = (content.project / file).read_text(encoding="utf-8")
         yield raw(f"<details><summary>{escape(_short(file))}</summary>")
@@ -117,7 +120,9 @@ def _claims(content: Content, name: str) -> Iterator[str]:
 
 def _linked(row: dict) -> str:
     where, what = where_and_what(row)
-    return link(f"{where}: {what}" if where else what, f"../papers/{row['paper']}.html#{anchor(row)}")
+    return link(
+        f"{where}: {what}" if where else what, f"../papers/{row['paper']}.html#{anchor(row)}"
+    )
 
 
 def index(content: Content) -> str:
@@ -125,7 +130,10 @@ def index(content: Content) -> str:
     cells = [
         [
             link(content.label(name), f"{name}.html"),
-            tag("code", escape(", ".join(content.filter_constants(name).get("SEES", ())) or "nothing")),
+            tag(
+                "code",
+                escape(", ".join(content.filter_constants(name).get("SEES", ())) or "nothing"),
+            ),
             ", ".join(link(s, f"../studies/{s}.html") for s in content.studies_with(name)),
         ]
         for name in content.filters()

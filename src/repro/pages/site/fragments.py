@@ -16,7 +16,6 @@ MEANINGS = {
     "without reading": "no reading of the paper concerns this verdict",
 }
 CONDITIONAL_ON = "a reading of what the paper leaves open gives another verdict"
-PAGE_DEPTH = {"root": "", "folder": "../", "nested": "../../"}  # to the root, from a page there
 
 
 def raw(html: str) -> str:
@@ -43,7 +42,10 @@ def link(text: str, target: str, class_: str | None = None) -> str:
 def badge(word: str, title: str | None = None) -> str:
     """A verdict, class of evidence or standing as a coloured word."""
     return tag(
-        "span", escape(word), class_=f"badge-{slug(word)} word-badge", title=title or MEANINGS.get(word)
+        "span",
+        escape(word),
+        class_=f"badge-{slug(word)} word-badge",
+        title=title or MEANINGS.get(word),
     )
 
 
@@ -77,7 +79,7 @@ def table(
     class_: str = "plain",
     **attributes: str | None,
 ) -> str:
-    """A table in a box that scrolls by itself. Cells are HTML, or HTML with attributes of the td."""
+    """A table in a box that scrolls by itself. A cell is HTML, or that and attributes."""
     heads = "".join(tag("th", escape(name), scope="col") for name in head)
     body = "".join(tag("tr", "".join(map(_cell, row))) for row in rows)
     inner = tag("thead", tag("tr", heads)) + tag("tbody", body)

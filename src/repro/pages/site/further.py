@@ -1,4 +1,4 @@
-"""Results beside the verdicts, where a run has them: consistency, bounds, convergence and others."""
+"""Results beside the verdicts, where a run has them: consistency, convergence and others."""
 
 from collections.abc import Iterator
 from html import escape
@@ -14,7 +14,7 @@ from repro.pages.site.gallery_pages import figure
 KINDS = {
     "consistency": "Consistency: do the errors agree with the variances that the filters claim?",
     "bounds": "Bounds: how far is each filter from the best possible?",
-    "convergence": "Convergence: does the order of the filters depend on particles or on the time step?",
+    "convergence": "Convergence: do more particles, or shorter steps, change the order?",
     "mismatch": "Mismatch: what do wrong parameters cost a filter?",
     "tails": "Tails: what do the worst runs do?",
     "cost": "Cost: error against time.",
@@ -26,14 +26,22 @@ def further_results(content: Content, paper: str) -> list[str]:
     """Pictures and tables of a paper that there are."""
     text = []
     for kind, title in KINDS.items():
-        parts = [*figure(content, paper, kind, "../"), *_tables(content, kind, paper)]
+        parts = [*figure(content, paper, kind, "../"), *_summary(content, kind, paper)]
+        parts += _tables(content, kind, paper)
         if parts:
             text += [f"## {title}\n", *parts]
     return text
 
 
+def _summary(content: Content, kind: str, paper: str) -> Iterator[str]:
+    """The sentences on a paper that a run has written."""
+    file = content.layout.root / kind / f"{paper}.md"
+    if file.exists():
+        yield f"{file.read_text(encoding='utf-8')}\n"
+
+
 def _tables(content: Content, kind: str, paper: str) -> Iterator[str]:
-    studies = set(content.papers[paper].studies)
+    studies = list(content.papers[paper].studies)
     for file, rows in _read(content, kind):
         own = file.stem == paper or file.stem in studies
         if not own and "study" in rows:
@@ -49,7 +57,9 @@ def rows_about(content: Content, column: str, value: str) -> Iterator[str]:
     for kind, title in KINDS.items():
         found = []
         for file, rows in _read(content, kind):
-            if column in rows:
+            if column == "study" and file.stem == value:
+                found.append(_shown(content, file, rows))
+            elif column in rows:
                 mine = rows.loc[rows[column] == value]
                 found += [_shown(content, file, mine)] if len(mine) else []
         if found:

@@ -21,6 +21,13 @@ def drawn(content: Content, group: str) -> list[str]:
     return [s.stem for s in scripts if (content.figures / group / f"{s.stem}.png").exists()]
 
 
+def _title(content: Content, group: str, name: str) -> str:
+    """The first line of a figure's script."""
+    script = content.project / "figures" / group / f"{name}.py"
+    said = ast.get_docstring(ast.parse(script.read_text(encoding="utf-8"))) or name
+    return said.splitlines()[0].rstrip(".")
+
+
 def groups(content: Content) -> list[str]:
     """Folders of figures with scripts: `overview`, then each paper."""
     return [group for group in ("overview", *content.papers) if drawn(content, group)]
@@ -51,7 +58,7 @@ def thumbnails(content: Content, group: str, to_gallery: str, to_root: str) -> s
         caption = str(said(content, group, name)["CAPTION"])
         source = f"{to_root}thumbnails/{group}/{name}.png"
         picture = f'<img src="{source}" alt="{escape(caption)}" loading="lazy">'
-        text = picture + tag("span", escape(name), class_="thumbnail-name")
+        text = picture + tag("span", escape(_title(content, group, name)), class_="thumbnail-name")
         target = f"{to_gallery}{group}/{name}.html"
         shown.append(tag("a", text, href=target, title=caption, class_="thumbnail"))
     return tag("div", "".join(shown), class_="thumbnails")
@@ -59,7 +66,10 @@ def thumbnails(content: Content, group: str, to_gallery: str, to_root: str) -> s
 
 def gallery_index(content: Content) -> str:
     """The page gallery/index.md, without its list of contents."""
-    text = ["# Gallery\n", "Every figure, drawn by the run from a script; each links to its page.\n"]
+    text = [
+        "# Gallery\n",
+        "Every figure, drawn by the run from a script; each links to its page.\n",
+    ]
     for group in groups(content):
         text += [f"## {in_words(group)}\n", raw(thumbnails(content, group, "", "../"))]
     text += ["## Every filter of every study\n", raw(_of_studies(content))]
@@ -70,7 +80,11 @@ def group_page(content: Content, group: str) -> str:
     """The page gallery/<group>.md, without its list of contents."""
     title = content.papers[group].title if group in content.papers else "All papers"
     return "\n".join(
-        [f"# {in_words(group)}\n", f"{markdown_line(title)}\n", raw(thumbnails(content, group, "", "../"))]
+        [
+            f"# {in_words(group)}\n",
+            f"{markdown_line(title)}\n",
+            raw(thumbnails(content, group, "", "../")),
+        ]
     )
 
 
@@ -78,7 +92,7 @@ def _of_studies(content: Content) -> str:
     shown = [
         tag(
             "a",
-            f'<img src="../thumbnails/studies/{study}/{kind}.png" alt="{study}: {kind}" loading="lazy">'
+            f'<img src="../thumbnails/studies/{study}/{kind}.png" alt="" loading="lazy">'
             + tag("span", f"{study}: {kind.replace('_', ' ')}", class_="thumbnail-name"),
             href=f"../studies/{study}.html#figures",
             class_="thumbnail",
@@ -91,12 +105,18 @@ def _of_studies(content: Content) -> str:
 
 
 def figure_page(content: Content, group: str, name: str) -> str:
-    """The page gallery/<group>/<name>.md: picture, caption, claims, data, how to draw it, script."""
+    """The page gallery/<group>/<name>.md: picture, caption, claims, data, script."""
     script = Path("figures", group, f"{name}.py")
     text = (content.project / script).read_text(encoding="utf-8")
-    title = (ast.get_docstring(ast.parse(text)) or name).splitlines()[0].rstrip(".")
-    parts = [f"# {markdown_line(title)}\n", *figure(content, group, name, "../../")]
-    parts += [*_claims(content, group, name), "## Data\n", _data(content, said(content, group, name))]
+    parts = [
+        f"# {markdown_line(_title(content, group, name))}\n",
+        *figure(content, group, name, "../../"),
+    ]
+    parts += [
+        *_claims(content, group, name),
+        "## Data\n",
+        _data(content, said(content, group, name)),
+    ]
     parts += ["## Draw it again\n", f"```sh\nsnakemake draw --config figure={group}/{name}\n```\n"]
     parts += [f"## Script\n\n`{script}`\n", f"`````python\n{text}`````\n"]
     return "\n".join(parts)
@@ -119,7 +139,9 @@ def _claims(content: Content, group: str, name: str) -> Iterator[str]:
 def _data(content: Content, script: dict[str, Any]) -> str:
     """What the script says that it reads, as files of the results."""
     needs, root = script.get("NEEDS", {}), content.layout.root.name
-    lines = [f"- `{root}/tables/{s}.csv` and `{root}/curves/{s}.csv`" for s in needs.get("tables", [])]
+    lines = [
+        f"- `{root}/tables/{s}.csv` and `{root}/curves/{s}.csv`" for s in needs.get("tables", [])
+    ]
     lines += [
         f"- runs and logs of `{study}` at {', '.join(f'`{p}`' for p in points)}"
         for study, points in needs.get("points", {}).items()
@@ -127,5 +149,9 @@ def _data(content: Content, script: dict[str, Any]) -> str:
     lines += [f"- `{file}`" for file in needs.get("measured", [])]
     lines += [f"- `{root}/calibration/{name}.csv`" for name in needs.get("calibration", [])]
     lines += [f"- `{root}/leaderboard.csv`"] if needs.get("leaderboard") else []
-    lines += [f"- `{root}/diff.csv`, `{root}/robustness.csv`, `{root}/claims/`"] if needs.get("diff") else []
+    lines += (
+        [f"- `{root}/diff.csv`, `{root}/robustness.csv`, `{root}/claims/`"]
+        if needs.get("diff")
+        else []
+    )
     return "\n".join(lines or ["Nothing but the parameters."]) + "\n"

@@ -14,7 +14,9 @@ OTHERS = {
 
 def how_to_pages(project: Path) -> dict[str, str]:
     """Text of each page, by its name on the site without ending."""
-    named = {f"docs/{file.name}": f"how-to/{file.stem}" for file in sorted(project.glob("docs/*.md"))}
+    named = {
+        f"docs/{file.name}": f"how-to/{file.stem}" for file in sorted(project.glob("docs/*.md"))
+    }
     named |= {name: page for name, page in OTHERS.items() if (project / name).exists()}
     return {
         page: _linked((project / name).read_text(encoding="utf-8"), name, page, named)

@@ -17,6 +17,10 @@ class _Page(HTMLParser):
         self.loaded: list[str] = []  # what a browser fetches by itself
         self.anchors: set[str] = set()
 
+    def has(self, fragment: str) -> bool:
+        """Whether there is such an anchor."""
+        return unquote(fragment) in self.anchors
+
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         given = {name: value for name, value in attrs if value}
         self.anchors |= {given[name] for name in ("id", "name") if name in given}
@@ -60,6 +64,5 @@ def _faults(file: Path, page: _Page, pages: dict[Path, _Page]) -> Iterator[str]:
         there = (file.parent / unquote(split.path)).resolve() if split.path else file
         if not there.is_file():
             yield f"{target} is not there"
-        elif split.fragment and there in pages:
-            if unquote(split.fragment) not in pages[there].anchors:
-                yield f"{target} has no such anchor"
+        elif split.fragment and there in pages and not pages[there].has(split.fragment):
+            yield f"{target} has no such anchor"

@@ -19,15 +19,22 @@ def printed_tables(content: Content, paper: str) -> Iterator[str]:
     for name, rows in named.items():
         yield f"### {name}\n"
         yield raw(_grid(rows) or _list(rows))
-        yield from (_as_a_whole(r) for r in content.joint if (r["paper"], r["table"]) == (paper, name))
+        yield from (
+            _as_a_whole(r) for r in content.joint if (r["paper"], r["table"]) == (paper, name)
+        )
         reasons = {r["reason"]: r for r in rows if r["reason"] and r["verdict"] == "differs"}
-        yield raw(tag("ul", "".join(tag("li", escape(reason)) for reason in reasons))) if reasons else ""
+        yield (
+            raw(tag("ul", "".join(tag("li", escape(reason)) for reason in reasons)))
+            if reasons
+            else ""
+        )
 
 
 def _as_a_whole(row: Row) -> str:
     return (
         f"As a whole: chi-square {number(row['chi_square'])} over {row['cells']} cells, "
-        f"p = {number(row['p_value'], 2)}; farthest: {row['farthest']}, z = {number(row['z'], 2)}.\n"
+        f"p = {number(row['p_value'], 2)}; farthest: {row['farthest']}, "
+        f"z = {number(row['z'], 2)}.\n"
     )
 
 

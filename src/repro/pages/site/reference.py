@@ -81,5 +81,4 @@ def _fields(node: ast.ClassDef) -> Iterator[str]:
     """Annotated fields of a class."""
     for entry in node.body:
         if isinstance(entry, ast.AnnAssign) and isinstance(entry.target, ast.Name):
-            if not entry.target.id.startswith("_"):
-                yield f"`{entry.target.id}: {ast.unparse(entry.annotation)}`"
+            yield f"`{entry.target.id}: {ast.unparse(entry.annotation)}`"

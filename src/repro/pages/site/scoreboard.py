@@ -41,7 +41,8 @@ def home(content: Content) -> str:
 def scoreboard(rows: Iterable[Row]) -> str:
     """The table of all statements, which a reader sorts and filters."""
     columns = ",".join(str(HEAD.index(name)) for name in FILTERED)
-    cells = [_cells(row) for row in rows]
+    claims_first = sorted(rows, key=lambda row: row["kind"] != "claim")
+    cells = [_cells(row) for row in claims_first]
     return table(HEAD, cells, class_="sortable scoreboard", data_menus=columns, id="scoreboard")
 
 
@@ -71,7 +72,11 @@ def _summaries(content: Content) -> Iterator[str]:
         bars = "".join(_bar(kind, rows) for kind in VERDICTS)
         heading = link(in_words(name), f"papers/{name}.html", class_="paper-name")
         cards.append(
-            tag("div", heading + tag("p", escape(f"{paper.authors}: {paper.title}")) + bars, class_="paper-card")
+            tag(
+                "div",
+                heading + tag("p", escape(f"{paper.authors}: {paper.title}")) + bars,
+                class_="paper-card",
+            )
         )
     yield tag("div", "".join(cards), class_="paper-cards")
     counted = {name: sum(row["class"] == name for row in content.diff) for name in CLASSES}
@@ -88,7 +93,9 @@ def _bar(kind: str, rows: list[Row]) -> str:
     for group, verdicts in GROUPS.items():
         count = sum(row["verdict"] in verdicts for row in of_kind)
         if count:
-            parts += tag("span", str(count), class_=f"part-{slug(group)}", style=f"flex-grow: {count}")
+            parts += tag(
+                "span", str(count), class_=f"part-{slug(group)}", style=f"flex-grow: {count}"
+            )
             words.append(f"{count} {WORDS[group]}")
     label = tag("p", escape(f"{len(of_kind)} {kind}s: {', '.join(words)}"), class_="bar-label")
     return label + tag("div", parts, class_="bar", role="img", aria_label="; ".join(words))

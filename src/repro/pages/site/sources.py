@@ -1,4 +1,4 @@
-"""All sources of the site, written for Sphinx: pages, lists of contents, pictures, tables' script."""
+"""All sources of the site, written for Sphinx: pages, pictures, the library of the tables."""
 
 import importlib.util
 import re
@@ -52,7 +52,9 @@ def _pages(content: Content) -> dict[str, str]:
     for group in groups:
         names = gallery_pages.drawn(content, group)
         of_group = [f"{group}/{name}" for name in names]
-        pages[f"gallery/{group}"] = gallery_pages.group_page(content, group) + _contents(of_group, True)
+        pages[f"gallery/{group}"] = gallery_pages.group_page(content, group) + _contents(
+            of_group, True
+        )
         for name in names:
             pages[f"gallery/{group}/{name}"] = gallery_pages.figure_page(content, group, name)
     how_to, reference = how_to_pages(content.project), reference_pages(content.project)
@@ -75,7 +77,11 @@ def _contents(pages: list[str], hidden: bool = False) -> str:
 
 def _copy_pictures(content: Content, folder: Path) -> None:
     """Pictures as they are, and thumbnails of them."""
-    found = [f"{g}/{name}" for g in gallery_pages.groups(content) for name in gallery_pages.drawn(content, g)]
+    found = [
+        f"{g}/{name}"
+        for g in gallery_pages.groups(content)
+        for name in gallery_pages.drawn(content, g)
+    ]
     found += [
         f"studies/{study}/{kind}"
         for study in content.catalogue

@@ -1,4 +1,4 @@
-"""A page for each study: parameters with sources and units, channels, ranking, how to run a filter."""
+"""A page for each study: ranking, parameters with sources and units, channels, a filter on it."""
 
 import inspect
 from collections.abc import Iterator
@@ -139,7 +139,10 @@ def index(content: Content) -> str:
     cells = [
         [
             link(name, f"{name}.html"),
-            link(in_words(content.paper_of(name).name), f"../papers/{content.paper_of(name).name}.html"),
+            link(
+                in_words(content.paper_of(name).name),
+                f"../papers/{content.paper_of(name).name}.html",
+            ),
             escape((inspect.getdoc(type(plugins.study(name))) or "").splitlines()[0]),
         ]
         for name in content.catalogue

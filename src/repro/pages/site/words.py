@@ -28,11 +28,11 @@ def where_and_what(row: Mapping[str, Any]) -> tuple[str, str]:
         return "", text
     if row["kind"] == "value":
         return where, f"{what}: {number(row['published'], 5)}"
-    return where, what[0].upper() + what[1:]
+    return where, what[0].upper() + what[1:].rstrip(".")
 
 
 def margin(row: Mapping[str, Any]) -> str:
-    """How far our number is from its limit, in words: standard errors in favour, or off the print."""
+    """How far our number is from its limit: standard errors in favour, or off the print."""
     if row["margin"] != row["margin"]:
         return "exact"
     if row["kind"] == "value":
