@@ -81,9 +81,13 @@ SCRIPTS = [
     if not constants(str(script))["NEEDS"].get("on_request")
 ]
 OF_PAPER = ("claims", "facts", "joint", "robustness")
-DIFF = {"csv": "diff.csv", "markdown": "diff.md", "report": "diff.rst", "tally": "tally.txt"} | {
-    "robustness": "robustness.csv"
-}
+DIFF = {
+    "csv": "diff.csv",
+    "markdown": "diff.md",
+    "html": "diff.html",
+    "report": "diff.rst",
+    "tally": "tally.txt",
+} | {"robustness": "robustness.csv"}
 
 
 class Small(NamedTuple):

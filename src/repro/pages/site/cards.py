@@ -80,7 +80,7 @@ def _readings(robustness: Sequence[Row], row: Row) -> str:
 
 def _pictures(content: Content, paper: str, where: str) -> str:
     """The first figure that the statement names, and links to all of them."""
-    names = pictures_named(where, content.project / "figures" / paper)
+    names = pictures_named(where, content.drawn(paper))
     if not names:
         return ""
     first = names[0]

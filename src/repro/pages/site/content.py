@@ -41,6 +41,11 @@ class Content(NamedTuple):
         """Literal constants of a filter's module."""
         return constants(str(self.project / "src/repro/filters" / f"{filter_}.py"))
 
+    def drawn(self, group: str) -> list[str]:
+        """Names of the figures of a paper, or of `overview`, whose picture is there."""
+        scripts = sorted((self.project / "figures" / group).glob("*.py"))
+        return [s.stem for s in scripts if (self.figures / group / f"{s.stem}.png").exists()]
+
     def filters(self) -> list[str]:
         """Every filter that runs, in the order of the studies."""
         found = (f for of in self.catalogue.values() for names in of.values() for f in names)

@@ -15,6 +15,7 @@ MEANINGS = {
     "reversed": "a reading of what the paper leaves open gives the opposite verdict",
     "without reading": "no reading of the paper concerns this verdict",
 }
+READINGS = re.compile(r" under | on | \(|: ")  # between the word of a standing and its readings
 CONDITIONAL_ON = "a reading of what the paper leaves open gives another verdict"
 
 
@@ -51,7 +52,7 @@ def badge(word: str, title: str | None = None) -> str:
 
 def standing_badge(standing: str) -> str:
     """The first word of a standing; the readings that it names in its title."""
-    word = standing.partition(" ")[0] or "without reading"
+    word = READINGS.split(standing)[0] or "without reading"
     meaning = CONDITIONAL_ON if word == "conditional" else MEANINGS.get(word, "")
     return badge(word, title=f"{meaning}. {standing}" if standing else meaning)
 

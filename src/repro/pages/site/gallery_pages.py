@@ -15,12 +15,6 @@ from repro.workflow.code import constants
 STUDY_KINDS = ("over_k", "over_sweep", "distribution")
 
 
-def drawn(content: Content, group: str) -> list[str]:
-    """Names of the figures of a paper, or of `overview`, whose picture is there."""
-    scripts = sorted((content.project / "figures" / group).glob("*.py"))
-    return [s.stem for s in scripts if (content.figures / group / f"{s.stem}.png").exists()]
-
-
 def _title(content: Content, group: str, name: str) -> str:
     """The first line of a figure's script."""
     script = content.project / "figures" / group / f"{name}.py"
@@ -30,7 +24,7 @@ def _title(content: Content, group: str, name: str) -> str:
 
 def groups(content: Content) -> list[str]:
     """Folders of figures with scripts: `overview`, then each paper."""
-    return [group for group in ("overview", *content.papers) if drawn(content, group)]
+    return [group for group in ("overview", *content.papers) if content.drawn(group)]
 
 
 def said(content: Content, group: str, name: str) -> dict[str, Any]:
@@ -40,7 +34,7 @@ def said(content: Content, group: str, name: str) -> dict[str, Any]:
 
 def figure(content: Content, group: str, name: str, to_root: str) -> Iterator[str]:
     """A picture with its caption, if it is there."""
-    if name in drawn(content, group):
+    if name in content.drawn(group):
         caption = str(said(content, group, name)["CAPTION"])
         yield raw(_full(f"{to_root}pictures/{group}/{name}.png", caption))
         yield f"{markdown_line(caption)}\n"
@@ -54,7 +48,7 @@ def _full(source: str, alt: str) -> str:
 def thumbnails(content: Content, group: str, to_gallery: str, to_root: str) -> str:
     """The figures of a paper as small pictures that link to their pages."""
     shown = []
-    for name in drawn(content, group):
+    for name in content.drawn(group):
         caption = str(said(content, group, name)["CAPTION"])
         source = f"{to_root}thumbnails/{group}/{name}.png"
         picture = f'<img src="{source}" alt="{escape(caption)}" loading="lazy">'
@@ -124,8 +118,8 @@ def figure_page(content: Content, group: str, name: str) -> str:
 
 def _claims(content: Content, group: str, name: str) -> Iterator[str]:
     from_paper = [row for row in content.diff if row["paper"] == group and row["kind"] == "claim"]
-    folder = content.project / "figures" / group
-    rows = [row for row in from_paper if name in pictures_named(where_and_what(row)[0], folder)]
+    drawn = content.drawn(group)
+    rows = [row for row in from_paper if name in pictures_named(where_and_what(row)[0], drawn)]
     if rows:
         items = [
             link(where_and_what(row)[1], f"../../papers/{group}.html#{row['item']}")

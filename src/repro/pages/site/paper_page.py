@@ -36,8 +36,10 @@ def _parts(content: Content, name: str) -> str:
     filters = [f for f in content.filters() if set(content.studies_with(f)) & set(studies)]
     of_studies = ", ".join(link(study, f"../studies/{study}.html") for study in studies)
     of_filters = ", ".join(link(content.label(f), f"../filters/{f}.html") for f in filters)
-    gallery = link("all its figures", f"../gallery/{name}.html")
-    return tag("p", f"Studies: {of_studies}. Filters: {of_filters}. {gallery}.")
+    text = f"Studies: {of_studies}. Filters: {of_filters}."
+    if content.drawn(name):
+        text += f" {link('All its figures', f'../gallery/{name}.html')}."
+    return tag("p", text)
 
 
 def _claims(content: Content, name: str) -> Iterator[str]:

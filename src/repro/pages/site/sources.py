@@ -50,7 +50,7 @@ def _pages(content: Content) -> dict[str, str]:
     groups = gallery_pages.groups(content)
     pages["gallery/index"] = gallery_pages.gallery_index(content) + _contents(groups, True)
     for group in groups:
-        names = gallery_pages.drawn(content, group)
+        names = content.drawn(group)
         of_group = [f"{group}/{name}" for name in names]
         pages[f"gallery/{group}"] = gallery_pages.group_page(content, group) + _contents(
             of_group, True
@@ -77,11 +77,7 @@ def _contents(pages: list[str], hidden: bool = False) -> str:
 
 def _copy_pictures(content: Content, folder: Path) -> None:
     """Pictures as they are, and thumbnails of them."""
-    found = [
-        f"{g}/{name}"
-        for g in gallery_pages.groups(content)
-        for name in gallery_pages.drawn(content, g)
-    ]
+    found = [f"{g}/{name}" for g in gallery_pages.groups(content) for name in content.drawn(g)]
     found += [
         f"studies/{study}/{kind}"
         for study in content.catalogue

@@ -1,8 +1,7 @@
 """What verdicts are called, and where their figures are."""
 
 import re
-from collections.abc import Mapping
-from pathlib import Path
+from collections.abc import Collection, Mapping
 from typing import Any
 
 from repro.pages.site.fragments import number, slug
@@ -42,8 +41,8 @@ def margin(row: Mapping[str, Any]) -> str:
     return f"exact, {side}" if far == "∞" else f"{far} {side}"
 
 
-def pictures_named(where: str, folder: Path) -> list[str]:
-    """Figures and tables that a text names, of those whose script is in the paper's folder.
+def pictures_named(where: str, drawn: Collection[str]) -> list[str]:
+    """Figures and tables that a text names, of those that are drawn.
 
     `Figs. 2-4, 9-11` are fig02 to fig04 and fig09 to fig11; `Figs. 5a, b` are fig05a and fig05b.
     """
@@ -58,7 +57,7 @@ def pictures_named(where: str, folder: Path) -> list[str]:
             first, letter = ends[0]  # type: ignore[misc]
             last = ends[-1][0]  # type: ignore[index]
             found += [f"{kind}{n:02d}{letter}" for n in range(first, last + 1)]
-    return [name for name in dict.fromkeys(found) if (folder / f"{name}.py").exists()]
+    return [name for name in dict.fromkeys(found) if name in drawn]
 
 
 def _parsed(text: str, last: int) -> tuple[int, str] | None:
