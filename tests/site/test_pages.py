@@ -1,5 +1,6 @@
 """What the built site has: a card for every claim, a row for every statement, no broken link."""
 
+import html
 import re
 
 from repro.pages.site.links import broken_links
@@ -41,7 +42,8 @@ def test_filters_studies_texts_and_code_have_their_pages(site):
         assert "Sees" in page and f"filters/{name}.py" in page
     for name in catalogue():
         page = (site / f"studies/{name}.html").read_text()
-        assert f"study={name}" in page and "trials" in page
+        shown = html.unescape(re.sub("<.*?>", "", page))
+        assert f"study={name}" in shown and "trials" in shown
     for text in (ROOT / "docs").glob("*.md"):
         assert (site / f"how-to/{text.stem}.html").exists()
     assert "repro.filters.mapf" in (site / "searchindex.js").read_text()

@@ -42,7 +42,8 @@ def _module(file: Path, source: Path) -> Iterator[str]:
     members = list(_public(tree.body))
     if not said and not members:
         return
-    yield f"## {name}\n"
+    if name != "repro" and name.count(".") > 1:
+        yield f"## {name}\n"
     yield f"```{{py:module}} {name}\n```\n"
     yield f"{as_markdown(said or '')}\n"
     for member in members:

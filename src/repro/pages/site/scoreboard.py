@@ -4,14 +4,20 @@ from collections.abc import Iterable, Iterator
 from html import escape
 
 from repro.pages.site.content import Content, Row
-from repro.pages.site.fragments import badge, link, raw, slug, standing_badge, table, tag
+from repro.pages.site.fragments import badge, link, raw, standing_badge, table, tag
 from repro.pages.site.words import anchor, in_words, margin, where_and_what
 from repro.verdicts.published import CLASSES, VERDICTS
 
 HEAD = ("paper", "where", "the paper says", "verdict", "evidence", "margin", "readings", "kind")
 FILTERED = ("paper", "verdict", "evidence", "readings", "kind")  # columns with a menu
-GROUPS = {"reproduced": ("holds", "match"), "open": ("undecided",), "not": ("fails", "differs")}
-WORDS = {"reproduced": "hold or match", "open": "undecided", "not": "fail or differ"}
+# Verdict -> colour of its part of a bar, and its word after a number.
+PARTS = {
+    "match": ("reproduced", "match"),
+    "differs": ("not", "differ"),
+    "holds": ("reproduced", "hold"),
+    "undecided": ("open", "undecided"),
+    "fails": ("not", "fail"),
+}
 
 INTRODUCTION = """\
 Four papers on state estimation when measurements are lost, delayed, censored, or not sent for lack
@@ -90,12 +96,10 @@ def _bar(kind: str, rows: list[Row]) -> str:
     if not of_kind:
         return tag("p", f"{kind}s: none printed", class_="bar-label")
     parts, words = "", []
-    for group, verdicts in GROUPS.items():
-        count = sum(row["verdict"] in verdicts for row in of_kind)
+    for verdict, (group, word) in PARTS.items():
+        count = sum(row["verdict"] == verdict for row in of_kind)
         if count:
-            parts += tag(
-                "span", str(count), class_=f"part-{slug(group)}", style=f"flex-grow: {count}"
-            )
-            words.append(f"{count} {WORDS[group]}")
+            parts += tag("span", str(count), class_=f"part-{group}", style=f"flex-grow: {count}")
+            words.append(f"{count} {word}")
     label = tag("p", escape(f"{len(of_kind)} {kind}s: {', '.join(words)}"), class_="bar-label")
     return label + tag("div", parts, class_="bar", role="img", aria_label="; ".join(words))
