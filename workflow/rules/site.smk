@@ -13,10 +13,10 @@ rule site:
     conda:
         ENVIRONMENT
     params:
-        root=str(LAYOUT.root),
+        root=lambda wildcards: str(LAYOUT.root),
         catalogue=REGISTRY.catalogue(*STUDIES),
         project=workflow.basedir,
-        figures=FIGURES,
+        figures=lambda wildcards: FIGURES,
         source=source_digest(),  # its pages show the code
     script:
         "../scripts/site.py"
