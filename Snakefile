@@ -23,6 +23,7 @@ include: "workflow/rules/own_points.smk"
 include: "workflow/rules/own_tables.smk"
 include: "workflow/rules/pages.smk"
 include: "workflow/rules/seeds.smk"
+include: "workflow/rules/site.smk"
 
 
 # On a cluster, where a run was started: they take about a second, and verify and timings print.
@@ -41,6 +42,7 @@ localrules:
     paper_verdicts,
     parameters,
     seeds,
+    site,
     timings,
     verify,
 

@@ -84,9 +84,13 @@ SCRIPTS = [
     if not {"on_request", "convergence", "mismatch"} & constants(str(script))["NEEDS"].keys()
 ]
 OF_PAPER = ("claims", "facts", "joint", "robustness")
-DIFF = {"csv": "diff.csv", "markdown": "diff.md", "report": "diff.rst", "tally": "tally.txt"} | {
-    "robustness": "robustness.csv"
-}
+DIFF = {
+    "csv": "diff.csv",
+    "markdown": "diff.md",
+    "html": "diff.html",
+    "report": "diff.rst",
+    "tally": "tally.txt",
+} | {"robustness": "robustness.csv"}
 
 
 class Small(NamedTuple):

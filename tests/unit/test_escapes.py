@@ -12,7 +12,8 @@ from repro import plugins
 from repro.pages.gallery import write_gallery
 from repro.pages.leaderboard import write_leaderboard
 from repro.pages.markdown import markdown_line, markdown_table
-from repro.pages.verdicts import markdown_page, report_page
+from repro.pages.verdict_tables import verdict_tables
+from repro.pages.verdicts import markdown_page, report_page, sections
 
 SECRET = "in the file"
 TEXTS = [
@@ -50,8 +51,15 @@ def table(text):
 NO_JOINT = pd.DataFrame(columns=["paper"])
 
 
-def test_the_report_shows_items_and_reasons(text):
-    assert_shown(report_page(table(text), NO_JOINT), text)
+def test_the_first_page_of_the_report_shows_names_of_papers(text):
+    assert_shown(report_page(table(text).assign(paper=text)), text)
+
+
+def test_the_verdicts_of_the_report_show_items_and_reasons(text):
+    page = verdict_tables("title", [text], sections(table(text), NO_JOINT))
+    shown = " ".join(html.unescape(re.sub("<.*?>", "", page)).split())
+    assert shown.count(" ".join(text.split())) > 3
+    assert "<script" not in page and "<b " not in page
 
 
 def assert_harmless(line):

@@ -107,6 +107,12 @@ rule diff:
             caption="../report/diff.rst",
         ),
         robustness=LAYOUT.page("robustness.csv"),
+        html=report(
+            LAYOUT.page("diff.html"),
+            category="Verdicts",
+            labels={"table": "every verdict with its evidence, readings and reason"},
+            caption="../report/diff.rst",
+        ),
         markdown=LAYOUT.page("diff.md"),
         report=LAYOUT.page("diff.rst"),
         tally=LAYOUT.page("tally.txt"),

@@ -23,11 +23,12 @@ def log_topics(params: str | Path = "params") -> str:
     for file in sorted(Path(params).glob("*.yaml")):
         if file.name != "run.yaml":
             for name, points in load_paper(file).studies.items():
-                sections += _section(name, {p: point.parameters for p, point in points.items()})
+                sections += topics_of_study(name, {p: at.parameters for p, at in points.items()})
     return "\n".join(sections)
 
 
-def _section(name: str, points: dict[str, PointParameters]) -> Iterator[str]:
+def topics_of_study(name: str, points: dict[str, PointParameters]) -> Iterator[str]:
+    """The section of a study, given its points; nothing for a closed loop."""
     study, first = plugins.study(name), next(iter(points))
     if isinstance(study, ClosedLoop) or study.channel_topics(points[first]) is None:
         return

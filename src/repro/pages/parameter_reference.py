@@ -42,14 +42,20 @@ def reference() -> str:
     return "\n".join(sections)
 
 
+def meanings(model: type[Values]) -> dict[str, str]:
+    """What each field of a model means, with its unit."""
+    fields = model.model_fields.items()
+    return {name: _description(field.annotation, field) or "" for name, field in fields}
+
+
 def _section(title: str, model: type[Values]) -> Iterator[str]:
     """Heading and table of a model; nothing for a model without fields."""
     if model.model_fields:
         yield f"## {title}\n\n| name | type and bounds | meaning |\n|---|---|---|"
+        meaning_of = meanings(model)
         for name, field in model.model_fields.items():
-            meaning = _description(field.annotation, field) or ""
             kind = _kind(field.annotation, field.metadata) + _default(field)
-            yield f"| `{name}` | {kind} | {meaning} |"
+            yield f"| `{name}` | {kind} | {meaning_of[name]} |"
         yield ""
 
 

@@ -10,6 +10,7 @@ import pandas as pd
 
 from repro.atomic import atomic_write
 from repro.pages.markdown import markdown_line, markdown_table
+from repro.pages.verdict_tables import verdict_tables
 from repro.tables.csv_file import write_csv
 from repro.verdicts.published import CLASSES, REPRODUCED, VERDICTS, diff
 from repro.verdicts.standing import NEEDS_NONE, STANDINGS
@@ -21,6 +22,7 @@ HEADS = {
 JOINT_HEAD = ("table", "cells", "trials", "chi-square", "p-value", "farthest cell", "its z")
 TITLE = "Published against reproduced"
 NONE = "none printed"
+WHERE = "Every row, with evidence, readings and reason: Verdicts, in the menu."
 WITHOUT = "without reading"  # no reading of the paper concerns the verdict
 
 
@@ -30,11 +32,13 @@ def write_diff(
     csv: str,
     robustness: str,
     markdown: str,
+    html: str,
     report: str,
     tally: str,
 ) -> None:
-    """Write the diff of all papers (see `diff`) as CSV, Markdown, reStructuredText, and a tally.
+    """Write the diff of all papers (see `diff`) as CSV, Markdown and HTML, and a tally.
 
+    `report` is the first page of the report, in reStructuredText.
     The verdicts under every reading go to `robustness`, all papers in one table.
     """
     table = diff(papers, tolerance)
@@ -44,7 +48,8 @@ def write_diff(
     joint = _all(papers, "joint")
     texts = {
         markdown: markdown_page(table, joint),
-        report: report_page(table, joint),
+        html: verdict_tables(TITLE, tally_lines(table), sections(table, joint)),
+        report: report_page(table),
         tally: "\n".join(tally_lines(table)) + "\n",
     }
     for path, text in texts.items():
@@ -166,17 +171,14 @@ def markdown_page(table: pd.DataFrame, joint: pd.DataFrame) -> str:
     return "\n".join(text)
 
 
-def report_page(table: pd.DataFrame, joint: pd.DataFrame) -> str:
-    """The first page of the report; the pictures of the verdicts are links into it."""
-    text = [TITLE, "=" * len(TITLE), ""]
-    text += [f"- {_escaped(line)}" for line in tally_lines(table)]
-    for section in sections(table, joint):
-        title = _escaped(section.title)
-        text += ["", title, "-" * len(title), ""]
-        text += [".. list-table::", "   :header-rows: 1", ""]
-        for cells in (section.head, *section.rows):
-            marks = ("   * -", *["     -"] * (len(cells) - 1))
-            text += [f"{m} {_escaped(c)}".rstrip() for m, c in zip(marks, cells, strict=True)]
+def report_page(table: pd.DataFrame) -> str:
+    """The first page of the report, shorter than a screen: a line a paper, and where all is."""
+    lines = []
+    for paper, rows in table.groupby("paper", sort=False):
+        by_kind = {kind: rows.loc[rows["kind"] == kind, "verdict"] for kind in VERDICTS}
+        counts = [f"{k}s: {_counts(v, VERDICTS[k])}" for k, v in by_kind.items() if len(v)]
+        lines.append(f"- {_escaped(f'{paper}, ' + '; '.join(counts))}")
+    text = [TITLE, "=" * len(TITLE), "", *lines, "", _escaped(WHERE)]
     return "\n".join(text) + "\n"
 
 
