@@ -26,7 +26,7 @@ def test_of_several_curves_no_one_is_far_from_its_middle():
     other = np.array([3.0, 1.0, 2.5, 2.0, 9.0])  # its median is that of run 2, next in ERROR
     shown = typical_run([ERROR, other])
     assert (shown.trial, shown.ranks) == (2, (4, 3))
-    assert shown.words == "run 2, rank 4 and 3 of 5 by error"
+    assert shown.words == "run 2, ranks 3 to 4 of 5 by error"
 
 
 def test_a_run_that_was_lost_is_no_median():

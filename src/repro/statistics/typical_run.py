@@ -16,8 +16,9 @@ class TypicalRun(NamedTuple):
     @property
     def words(self) -> str:
         """For a title: which run, and its rank among those that qualify."""
-        ranks = " and ".join(map(str, dict.fromkeys(self.ranks)))
-        return f"run {self.trial}, rank {ranks} of {self.among} by error"
+        low, high = min(self.ranks), max(self.ranks)
+        rank = f"rank {low}" if low == high else f"ranks {low} to {high}"
+        return f"run {self.trial}, {rank} of {self.among} by error"
 
 
 def typical_run(errors: Sequence[np.ndarray], qualifies: np.ndarray | None = None) -> TypicalRun:
