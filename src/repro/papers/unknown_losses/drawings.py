@@ -10,7 +10,8 @@ from matplotlib.figure import Figure
 
 from repro.papers.unknown_losses.points import PICTURED, PROPOSED, particle_sweeps, swept
 from repro.plot import style
-from repro.plot.sweep import BAND, running, sweep
+from repro.plot.style import BAND
+from repro.plot.sweep import running, sweep
 from repro.studies import radar
 from repro.tables.results import Results
 
