@@ -1,6 +1,6 @@
 """The look of the figures, and the names and colours of the filters in them."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +24,7 @@ COLOURS = looks.PALETTE
 DECADES = 5  # of an error's axis above what the best filter has
 BAND: float = 2.0  # standard errors on either side of a curve
 WIDTH = 7.7  # inches of a picture: pages show it 850 pixels wide, its letters 110 to the inch
+DIFFERING = "#F9D5BF"  # cell of a table where ours differs from what is printed
 PUBLISHED = dict(color="black", marker="_", linestyle="none", markersize=14, markeredgewidth=1.6)
 
 pyplot.rcParams.update(
@@ -48,10 +49,13 @@ def figure(
 
 
 def table(
-    rows: Sequence[Iterable[Any]], heads: tuple[str, ...], widths: tuple[float, ...]
+    rows: Sequence[Iterable[Any]],
+    heads: tuple[str, ...],
+    widths: tuple[float, ...],
+    differing: Collection[tuple[int, int]] = (),
 ) -> Figure:
-    """A table as a picture; widths are shares of the figure's."""
-    drawn, axes = figure(size=(7.6, 0.29 * (len(rows) + 1) + 0.2))
+    """A table as a picture; widths are shares of the figure's, `differing` cells are coloured."""
+    drawn, axes = figure(size=(WIDTH, 0.29 * (len(rows) + 1) + 0.2))
     axes.axis("off")
     cells = axes.table(rows, colLabels=heads, colWidths=widths, cellLoc="left", bbox=(0, 0, 1, 1))
     cells.auto_set_font_size(False)
@@ -60,6 +64,8 @@ def table(
         cell.set(linewidth=0.4, edgecolor="0.7")
         if row == 0:
             cell.set(facecolor="0.92")
+    for row, column in differing:
+        cells[row + 1, column].set(facecolor=DIFFERING)
     return drawn
 
 
@@ -95,6 +101,16 @@ def bars(value: Any, mcse: Any, log: bool = True) -> np.ndarray:
     """Lengths of the two halves of an error bar that ends at the `bounds`, (2, ...)."""
     low, high = bounds(value, mcse, log)
     return np.stack([value - low, high - value])
+
+
+def interlaced(place: int, number: int) -> dict[str, Any]:
+    """Line style of one of several curves that lie on each other: the first below, solid and wide.
+
+    The dashes of the others take turns on it, so that every colour is seen.
+    """
+    if place == 0:
+        return {"lw": 3.0, "ls": "-"}
+    return {"lw": 1.5, "ls": (4.0 * (place - 1), (4.0, 4.0 * max(number - 2, 1)))}
 
 
 def plain_log(axes: Axes, which: str = "y") -> None:
