@@ -20,6 +20,7 @@ PAPERS = {
     "bkf_2": ("BKF-II", "2", "9", "O(n³)"),
 }
 
+WIDTHS = (0.1, 0.145, 0.175, 0.145, 0.175, 0.12, 0.14)
 KINDS = ("densities", "products", "cost")
 
 
@@ -50,4 +51,4 @@ def draw(results: Results) -> Figure:
         for column in (1, 3)
         if row[column] != row[column + 1] and not row[column].startswith("O")
     ]
-    return style.table(cells, heads, (0.1, *[0.15] * 6), differing)
+    return style.table(cells, heads, WIDTHS, differing)

@@ -85,8 +85,8 @@ def _reserved(filter_: str, own: list[str]) -> tuple[str, str]:
 def shades(colour: str, number: int) -> list[str]:
     """One hue from light to dark, for the values of a parameter; the middle is `colour`."""
     rgb = np.array(colors.to_rgb(colour))
-    places = np.linspace(-LIGHTEST, DARKEST, number) if number > 1 else [0.0]
-    return [
-        colors.to_hex(rgb - place * (1 - rgb) if place < 0 else rgb * (1 - place))
-        for place in places
-    ]
+    drawn = []
+    for place in np.linspace(-LIGHTEST, DARKEST, number) if number > 1 else [0.0]:
+        red, green, blue = rgb - place * (1 - rgb) if place < 0 else rgb * (1 - place)
+        drawn.append(colors.to_hex((red, green, blue)))
+    return drawn

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -48,7 +49,7 @@ def draw_readings(
     drawn_on = running(results, study, dict(enumerate(points)), filters)
     for i, (filter_, on) in enumerate(drawn_on.items()):
         rows = table.loc[table["filter"] == filter_].set_index("point").loc[list(on.values())]
-        look = style.look(results, filter_) | {"linestyle": "none"}
+        look: dict[str, Any] = style.look(results, filter_) | {"linestyle": "none"}
         at = np.array(list(on)) + SPREAD * ((i + 0.5) / len(drawn_on) - 0.5)
         length = style.bars(rows["value"], rows["mcse"], log)
         axes.errorbar(

@@ -13,9 +13,11 @@ from repro.verdicts.standing import STANDINGS
 
 ROW = 0.34  # inches
 # From what could not fail to what could.
-OF_CLASSES = dict(zip(CLASSES, ("#DADAEB", "#BCBDDC", "#54278F", "#9E9AC8"), strict=True))
+OF_CLASSES: dict[str, str] = dict(
+    zip(CLASSES, ("#DADAEB", "#BCBDDC", "#54278F", "#9E9AC8"), strict=True)
+)
 NO_READING = "no other reading"
-OF_STANDINGS = dict(
+OF_STANDINGS: dict[str, str] = dict(
     zip(
         (*STANDINGS, NO_READING),
         ("#08519C", "#DEEBF7", "#6BAED6", "#F2C46D", "#E3E3E3"),

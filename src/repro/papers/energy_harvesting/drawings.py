@@ -125,11 +125,14 @@ def sweep_figure(results: Results, sweep: Sweep) -> Figure:
         point: rf"$\{value}$" if sweep.matrices else f"{symbol} = {value}"
         for point, value in sweep.values(results).items()
     }
+    table, trials = results.table(SWEPT_STUDY), len(results.log(SWEPT_STUDY, "base").trials)
+    lost = table.loc[table["filter"] == PROPOSED].groupby("point")["lost"].first()
+    for point in labels:
+        labels[point] += f": {lost[point] * trials:.0f} runs lost"
     drawn, grid = style.figure(1, 2, size=(style.WIDTH, 4.0))
     for axes, component in zip(grid, UNITS, strict=True):
         rmse_over_k(axes, results, SWEPT_STUDY, component, over_points(results, labels))
     grid[0].legend(fontsize=8)
-    trials = len(results.log(SWEPT_STUDY, "base").trials)
     drawn.suptitle(f"{style.label(PROPOSED)}, {trials} runs; {EXPLAINED}", fontsize=10)
     return drawn
 
