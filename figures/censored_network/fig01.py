@@ -22,7 +22,7 @@ LOOKS = (
 
 
 def draw(results: Results) -> Figure:
-    drawn, axes = style.figure(size=(5.6, 4.6))
+    drawn, axes = style.figure(size=(5.8, 5.0))
     ideal = np.linspace(*RANGE, 2201)
     for study, name, look in LOOKS:
         log = results.log(study, "base")
@@ -32,6 +32,8 @@ def draw(results: Results) -> Figure:
         axes.plot(
             np.insert(ideal, jumps, np.nan), np.insert(received, jumps, np.nan), **look, label=name
         )
+        for threshold in (log.parameters.lower_threshold, log.parameters.upper_threshold):
+            axes.axvline(threshold, color=look["color"], lw=0.8, ls="--", alpha=0.6)
         groups, size, _ = known.sensors.shape
         simulated = log.values["/sensor"][0, 1:, : groups * size].ravel()
         axes.plot(
@@ -48,5 +50,6 @@ def draw(results: Results) -> Figure:
         xlim=RANGE,
         ylim=RANGE,
     )
-    axes.legend()
+    axes.plot([], [], color="0.4", lw=0.8, ls="--", label="its thresholds")
+    axes.legend(fontsize=8.5)
     return drawn

@@ -8,10 +8,10 @@ from repro.tables.results import Results
 NEEDS = {"points": {"saturation": ["base"]}}
 CAPTION = (
     "Redrawing of Fig. 12: first component of what the filter of target 1 receives, saturation "
-    "censoring, first run: which group of sensors transmits, and the censored value. The "
-    "filter is not told the group."
+    "censoring, median run: which group of sensors transmits, and the censored value. The filter "
+    "is not told the group."
 )
 
 
 def draw(results: Results) -> Figure:
-    return first_component(results, "saturation", trial=0)
+    return first_component(results, "saturation")

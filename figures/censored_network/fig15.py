@@ -11,10 +11,10 @@ NEEDS = {
     "diff": True,
 }
 CAPTION = (
-    "Redrawing of Fig. 15: position RMSE of target 3 over k, saturation censoring, with bands "
-    "of two standard errors; bars at the right are the published averages over k. Sensors, "
-    "speed, turn rate and horizon were fitted to those averages: agreement of the levels is a "
-    "fit, not a prediction. The prior is centred on the truth, so dead reckoning, which the "
+    "Redrawing of Fig. 15: position RMSE of target 3 over k, saturation censoring, with bands of "
+    "two standard errors; marks at the right are the averages over k, published and ours. "
+    "Sensors, speed, turn rate and horizon were fitted to those averages: agreement of the levels "
+    "is a fit, not a prediction. The prior is centred on the truth, so dead reckoning, which the "
     "paper does not have, starts ahead. Every filter: figures/studies/saturation."
 )
 

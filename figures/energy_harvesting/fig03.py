@@ -2,21 +2,23 @@
 
 from matplotlib.figure import Figure
 
-from repro.papers.energy_harvesting.drawings import estimates, shown_run
+from repro.papers.energy_harvesting.drawings import estimates
+from repro.papers.energy_harvesting.shown import shown_run
 from repro.plot import style
 from repro.studies.families import signal_strength
 from repro.tables.results import Results
 
 NEEDS = {"points": {"rss_2d": ["base"]}}
 CAPTION = (
-    "Figure 3. The track in the plane and its estimate in one run, not a selected one. "
-    "figures/studies/rss_2d has every filter."
+    "Figure 3. The track in the plane and its estimate in the median run, by its "
+    "error. figures/studies/rss_2d has every filter."
 )
 
 
 def draw(results: Results) -> Figure:
+    run = shown_run(results, "rss_2d")
     drawn, axes = style.figure(size=(5.6, 5.4))
-    for name, x in estimates(results, "rss_2d").items():
+    for name, x in estimates(results, "rss_2d", run.trial).items():
         if name == "truth":
             axes.plot(x[:, 0], x[:, 2], color="black", lw=1.8, label="truth")
             axes.plot(x[0, 0], x[0, 2], "o", color="black", ms=6, label="start")
@@ -31,7 +33,7 @@ def draw(results: Results) -> Figure:
         xlabel="x in m",
         ylabel="y in m",
         aspect="equal",
-        title=f"run {shown_run(results, 'rss_2d')}",
+        title=run.words,
     )
-    axes.legend(fontsize=8, loc="upper center")
+    drawn.legend(*axes.get_legend_handles_labels(), fontsize=8, ncols=4, loc="outside lower center")
     return drawn

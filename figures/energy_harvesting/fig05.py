@@ -3,28 +3,30 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from repro.papers.energy_harvesting.drawings import shown_run, shown_sensor, step_label
+from repro.papers.energy_harvesting.drawings import shown_sensor, step_label
+from repro.papers.energy_harvesting.shown import shown_run
 from repro.plot import style
 from repro.tables.results import Results
 
 NEEDS = {"points": {"rss_2d": ["base"]}}
 CAPTION = (
-    "Figure 5. Energy level of the sensor that the paper shows, in one run, not a selected one, "
-    "and the instants at which it transmits."
+    "Figure 5. Energy level of the sensor that the paper shows, in the median run by the error "
+    "of PF-ROSS-EH, and the instants at which it transmits."
 )
 
 
 def draw(results: Results) -> Figure:
-    parameters, sensor = results.parameters("rss_2d", "base"), shown_sensor(results)
+    parameters, run = results.parameters("rss_2d", "base"), shown_run(results, "rss_2d")
+    sensor = shown_sensor(results, run.trial)
     k = np.arange(len(sensor.energy))
     drawn, (axes, strip) = style.figure(
-        2, 1, size=(7.4, 4.0), sharex=True, gridspec_kw={"height_ratios": [3, 1]}
+        2, 1, size=(style.WIDTH, 4.0), sharex=True, gridspec_kw={"height_ratios": [3, 1]}
     )
     axes.step(k, sensor.energy, where="mid", color=style.COLOURS[0], lw=1.2)
     axes.set(
         ylabel=f"$E_k^{sensor.number}$ in units",
         yticks=range(parameters.energy_capacity + 1),
-        title=f"sensor {sensor.number}, run {shown_run(results, 'rss_2d')}",
+        title=f"sensor {sensor.number}, {run.words} of PF-ROSS-EH",
     )
     strip.vlines(k[sensor.sent], 0, 1, color=style.COLOURS[2], lw=2)
     strip.set(

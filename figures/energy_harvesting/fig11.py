@@ -2,21 +2,23 @@
 
 from matplotlib.figure import Figure
 
-from repro.papers.energy_harvesting.drawings import estimates, shown_run
+from repro.papers.energy_harvesting.drawings import estimates
+from repro.papers.energy_harvesting.shown import shown_run
 from repro.plot import style
 from repro.studies.families import signal_strength
 from repro.tables.results import Results
 
 NEEDS = {"points": {"rss_3d": ["base"]}}
 CAPTION = (
-    "Figure 11. The track in space and its estimate in one run, not a selected one. "
-    "figures/studies/rss_3d has every filter."
+    "Figure 11. The track in space and its estimate in the median run, by its "
+    "error. figures/studies/rss_3d has every filter."
 )
 
 
 def draw(results: Results) -> Figure:
+    run = shown_run(results, "rss_3d")
     drawn, axes = style.figure(size=(6.4, 5.6), subplot_kw={"projection": "3d"})
-    for name, x in estimates(results, "rss_3d").items():
+    for name, x in estimates(results, "rss_3d", run.trial).items():
         if name == "truth":
             axes.plot(x[:, 0], x[:, 2], x[:, 4], color="black", lw=1.8, label="truth")
             axes.plot(*x[:1, ::2].T, "o", color="black", ms=6, label="start")
@@ -29,8 +31,8 @@ def draw(results: Results) -> Figure:
         xlabel="x in m",
         ylabel="y in m",
         zlabel="z in m",
-        title=f"run {shown_run(results, 'rss_3d')}",
+        title=run.words,
     )
     axes.set_box_aspect(None, zoom=0.88)
-    axes.legend(fontsize=8, loc="upper left")
+    drawn.legend(*axes.get_legend_handles_labels(), fontsize=8, ncols=4, loc="outside lower center")
     return drawn

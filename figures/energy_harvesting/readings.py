@@ -1,54 +1,40 @@
 """What the choices that the paper leaves open change: RMSE of the filters under each reading."""
 
-import numpy as np
 from matplotlib.figure import Figure
 
 from repro.papers.energy_harvesting.compared import EXTENSIONS, PAPERS_FILTERS
-from repro.parameters.point_names import reading_of
 from repro.plot import style
-from repro.plot.sweep import BAND, running
+from repro.plot.readings import ROW, draw_readings, readings_of_point
 from repro.tables.results import Results
 
 NEEDS = {"tables": ["rss_2d", "ungm"]}
 CAPTION = (
-    "RMSE (mean over k) under one changed assumption at a time, with its band: position in the "
-    "plane on the left, the scalar example on the right. Crosses are median runs. "
+    "RMSE (mean over k) under one changed assumption at a time, with bars of two standard errors: "
+    "position in the plane above, the scalar example below. Crosses are median runs. "
     "figures/studies/rss_2d and figures/studies/ungm have every filter."
 )
-SHIFT = 0.11  # between the filters at a point; points are 1 apart
+PANELS = (
+    ("rss_2d", "position", "in the plane", "position RMSE in m", True),
+    ("ungm", "state", "scalar example", "RMSE", False),
+)
 
 
 def draw(results: Results) -> Figure:
-    drawn, grid = style.figure(1, 2, size=(10.6, 5.6))
-    for axes, study, component, unit in zip(
-        grid, ("rss_2d", "ungm"), ("position", "state"), (" in m", ""), strict=True
-    ):
-        table = results.table(study)
-        table = table.loc[(table["metric"] == "rmse") & (table["component"] == component)]
-        points = [p for p in results.catalogue[study] if p == "base" or reading_of(p)[1] == "base"]
-        named = (*PAPERS_FILTERS, *EXTENSIONS)
-        drawn_on = running(results, study, dict(enumerate(points)), named)
-        for i, (filter_, on) in enumerate(drawn_on.items()):
-            rows = table.loc[table["filter"] == filter_].set_index("point").loc[list(on.values())]
-            look = style.look(results, filter_)
-            at = np.array(list(on)) + SHIFT * (i - (len(drawn_on) - 1) / 2)
-            axes.errorbar(
-                rows["value"],
-                at,
-                xerr=BAND * rows["mcse"],
-                ls="none",
-                ms=4,
-                lw=1,
-                **look,
-                label=style.label(filter_),
-            )
-            axes.plot(rows["median"], at, "x", ms=4, color=look["color"], alpha=0.6)
-        axes.set(
-            yticks=np.arange(len(points)),
-            yticklabels=[reading_of(point)[0].removeprefix("reading-") for point in points],
-            xscale="log" if study == "rss_2d" else "linear",
-            xlabel=f"{component} RMSE{unit}, {study}",
-        )
-        axes.invert_yaxis()
-        axes.legend(fontsize=7, ncols=3, loc="upper center", bbox_to_anchor=(0.4, 1.13))
+    rows = [len(readings_of_point(results, study, "base")) for study, *_ in PANELS]
+    drawn, grid = style.figure(
+        2,
+        1,
+        size=(style.WIDTH, 1.3 * ROW * sum(rows) + 2.0),
+        gridspec_kw={"height_ratios": rows},
+    )
+    named = (*PAPERS_FILTERS, *EXTENSIONS)
+    for axes, (study, component, title, label, log) in zip(grid, PANELS, strict=True):
+        draw_readings(axes, results, study, "base", "rmse", component, named, title, log)
+        axes.set_xlabel(label)
+    legend = {
+        label: handle
+        for axes in grid
+        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True)
+    }
+    drawn.legend(legend.values(), legend.keys(), fontsize=8, ncols=4, loc="outside lower center")
     return drawn

@@ -18,7 +18,7 @@ LAST = 30  # last step drawn
 
 
 def draw(results: Results) -> Figure:
-    drawn, grid = style.figure(1, 3, size=(10.2, 3.9))
+    drawn, grid = style.figure(1, 3, size=(style.WIDTH, 3.6), sharey=True)
     for axes, (study, point, title) in zip(
         grid,
         (
@@ -29,7 +29,11 @@ def draw(results: Results) -> Figure:
         strict=True,
     ):
         transmission(axes, results, study, point, LAST)
-        axes.set(title=title, xlabel="k")
+        runs = len(results.log(study, point).trials)
+        axes.set(title=f"{title}, {runs} runs", xlabel="k")
+        axes.title.set_fontsize(9.5)
     grid[0].set_ylabel(r"$\lambda_k$, probability to transmit")
-    grid[0].legend(fontsize=8)
+    drawn.legend(
+        *grid[0].get_legend_handles_labels(), fontsize=8, ncols=3, loc="outside lower center"
+    )
     return drawn

@@ -18,13 +18,13 @@ NAMES = {"theorem_2": "Theorem 2", "P0": "as printed, P(0|0)", "matched": "match
 
 def draw(results: Results) -> Figure:
     table = results.calibration("table_2")
-    drawn, grid = style.figure(1, 2, size=(9.2, 4.2), sharey=True)
+    drawn, grid = style.figure(1, 2, size=(style.WIDTH, 4.0), sharey=True)
     for (channel, rows), axes in zip(table.groupby("channel", sort=False), grid, strict=True):
         for moment, of_moment in rows.groupby("initial_second_moment", sort=False):
             axes.errorbar(
                 of_moment["turn_rate_variance"],
                 of_moment["misfit"],
-                2 * of_moment["mcse"],
+                style.bars(of_moment["misfit"], of_moment["mcse"]),
                 fmt="o-",
                 ms=4,
                 capsize=2,

@@ -8,11 +8,11 @@ from repro.tables.results import Results
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=0.98", "n2-arrival=0.98"]}}
 CAPTION = (
     "Redrawing of Fig. 5: trajectory of EKF and EMVF, p = 0.98, and of the EKF that knows the "
-    "arrivals, in the first run in which a single packet is late or lost, that of the step that "
+    "arrivals, in the median run in which a single packet is late or lost, that of the step that "
     "the paper names. Every filter: figures/studies/wsn_tracking."
 )
 
 
 def draw(results: Results) -> Figure:
-    trial = run_of_figure_6(results, "0.98")
-    return trajectories(results, "0.98", trial, ekf=True)
+    run = run_of_figure_6(results, "0.98")
+    return trajectories(results, "0.98", run, ekf=True)

@@ -11,11 +11,11 @@ NEEDS = {
 }
 CAPTION = (
     "Redrawing of Fig. 6: estimation error of EKF and EMVF, p = 0.98, and of the EKF that knows "
-    "the arrivals, in the first run in which a single packet is late or lost, that of the step "
+    "the arrivals, in the median run in which a single packet is late or lost, that of the step "
     "that the paper names. Every filter: figures/studies/wsn_tracking."
 )
 
 
 def draw(results: Results) -> Figure:
-    trial = run_of_figure_6(results, "0.98")
-    return error_over_k(results, "0.98", trial, ekf=True)
+    run = run_of_figure_6(results, "0.98")
+    return error_over_k(results, "0.98", run, ekf=True)

@@ -8,11 +8,11 @@ from repro.tables.results import Results
 NEEDS = {"points": {"wsn_tracking": ["n1-arrival=0.95", "n2-arrival=0.95"]}}
 CAPTION = (
     "Redrawing of Fig. 7: trajectory of the EMVF, p = 0.95, and of the EKF that knows the "
-    "arrivals, in the first run in which as many packets are late or lost as on average. Every "
+    "arrivals, in the median run in which as many packets are late or lost as on average. Every "
     "filter: figures/studies/wsn_tracking."
 )
 
 
 def draw(results: Results) -> Figure:
-    trial = run_of_figure_8(results, "0.95")
-    return trajectories(results, "0.95", trial, ekf=False)
+    run = run_of_figure_8(results, "0.95")
+    return trajectories(results, "0.95", run, ekf=False)

@@ -11,11 +11,11 @@ NEEDS = {
 }
 CAPTION = (
     "Redrawing of Fig. 8: estimation error of the EMVF, p = 0.95, and of the EKF that knows the "
-    "arrivals, in the first run in which as many packets are late or lost as on average. Every "
+    "arrivals, in the median run in which as many packets are late or lost as on average. Every "
     "filter: figures/studies/wsn_tracking."
 )
 
 
 def draw(results: Results) -> Figure:
-    trial = run_of_figure_8(results, "0.95")
-    return error_over_k(results, "0.95", trial, ekf=False)
+    run = run_of_figure_8(results, "0.95")
+    return error_over_k(results, "0.95", run, ekf=False)

@@ -17,7 +17,7 @@ COLOURS = [style.COLOURS[place] for place in (2, 4, 1)]  # by the number of step
 def draw(results: Results) -> Figure:
     table = results.table("packet_example")
     used = table["component"].str.removeprefix("k=").astype(int)
-    drawn, axes = style.figure(size=(7.2, 2.4))
+    drawn, axes = style.figure(size=(style.WIDTH, 2.5))
     for k, packet in zip(used, table["value"].astype(int), strict=True):
         late = k - packet
         axes.annotate(

@@ -11,8 +11,8 @@ from repro.tables.results import Results
 
 NEEDS = {"tables": ["wsn_tracking"], "diff": True}
 CAPTION = (
-    "Redrawing of Table 2: SAEE of the EMVF, published and ours, each with its standard error "
-    "(theirs is our spread at their number of runs), our medians, and the medians with the "
+    "Redrawing of Table 2: SAEE of the EMVF, published and ours, each with bars of two standard "
+    "errors (theirs is our spread at their number of runs), our medians, and the medians with the "
     "parameters as printed. The level was fitted through q: that the levels agree is a fit, not a "
     "prediction. Every filter: figures/studies/wsn_tracking."
 )
@@ -25,7 +25,7 @@ def draw(results: Results) -> Figure:
     diff = results.diff()
     diff = diff[(diff["study"] == TRACKING) & (diff["metric"] == "saee")].set_index("point")
     bounds = table_2(results)
-    drawn, grid = style.figure(1, len(bounds), size=(9.0, 3.8), sharey=True)
+    drawn, grid = style.figure(1, len(bounds), size=(style.WIDTH, 3.9), sharey=True)
     for (bound, arrivals), axes in zip(bounds.items(), grid, strict=True):
         points = [tracking_point(bound, arrival) for arrival in arrivals]
         place = np.arange(len(points))
@@ -33,7 +33,7 @@ def draw(results: Results) -> Figure:
         axes.errorbar(
             place - 0.1,
             theirs["published"],
-            theirs["their_error"],
+            style.bars(theirs["published"], theirs["their_error"]),
             fmt="_",
             color="black",
             ms=11,
@@ -43,13 +43,19 @@ def draw(results: Results) -> Figure:
         axes.errorbar(
             place + 0.1,
             ours["value"],
-            ours["mcse"],
+            style.bars(ours["value"], ours["mcse"]),
             fmt="o",
-            color=style.COLOURS[0],
+            color=style.look(results, "emvf")["color"],
             capsize=3,
             label="ours",
         )
-        axes.plot(place + 0.1, ours["median"], "x", color=style.COLOURS[0], label="our median")
+        axes.plot(
+            place + 0.1,
+            ours["median"],
+            "x",
+            color=style.look(results, "emvf")["color"],
+            label="our median",
+        )
         for shift, filter_ in enumerate(results.own_filters, start=2):
             rows = saee[saee["filter"] == filter_].set_index("point")
             there = [i for i, point in enumerate(points) if point in rows.index]
@@ -59,7 +65,7 @@ def draw(results: Results) -> Figure:
                 axes.errorbar(
                     beside,
                     rows["value"],
-                    rows["mcse"],
+                    style.bars(rows["value"], rows["mcse"]),
                     **look,
                     ls="none",
                     capsize=3,
@@ -73,11 +79,11 @@ def draw(results: Results) -> Figure:
             table.loc[[printed[i] for i in known], "median"],
             "s",
             mfc="none",
-            color=style.COLOURS[1],
+            color="0.4",
             label="median, parameters as printed",
         )
         axes.set(
-            title=f"N = {bound}",
+            title=f"N = {bound}, {_runs(ours)} runs",
             xticks=place,
             xticklabels=arrivals,
             xlabel="packet arrival probability p",
@@ -89,6 +95,12 @@ def draw(results: Results) -> Figure:
         for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
             labelled.setdefault(label, handle)
     drawn.legend(
-        labelled.values(), labelled.keys(), fontsize=8, ncols=4, loc="outside lower center"
+        labelled.values(), labelled.keys(), fontsize=8, ncols=3, loc="outside lower center"
     )
     return drawn
+
+
+def _runs(rows: Any) -> str:
+    """Of the points, which may differ in it."""
+    trials = sorted(set(rows["trials"]))
+    return f"{trials[0]}" if len(trials) == 1 else f"{trials[0]} to {trials[-1]}"

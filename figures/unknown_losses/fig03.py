@@ -10,9 +10,9 @@ NEEDS = {
     "points": {"radar": ["loss=0.1", "loss=0.3", "loss=0.5", "loss=0.7"]},
 }
 CAPTION = (
-    "Figure 3. Position RMSE over time with bands of 2 standard errors, and the medians of "
-    "the runs: a few lost runs carry the RMSE. The paper's horizon is not known. "
-    "figures/studies/radar has every filter."
+    "Figure 3. Median position error of a run over time, with the band of 10 to 90 percent, and "
+    "thin the RMSE, which a few lost runs carry; above each panel how many are lost. The "
+    "paper's horizon is not known. figures/studies/radar has every filter."
 )
 
 

@@ -14,4 +14,4 @@ CAPTION = (
 
 def draw(results: Results) -> Figure:
     (point,) = NEEDS["points"]["radar"]
-    return tracks(results, point)
+    return tracks(results, point, "p = 0.9, poor start")

@@ -8,8 +8,9 @@ from repro.tables.results import Results
 NEEDS = {"points": {"quadrotor": ["nominal"]}}
 CAPTION = (
     "Figure 8. One flight on the estimates of each filter, the one whose rms distance to the path "
-    "is the median with the RBPF. Every filter flies under the same noise and losses, p = 0.2. "
-    "figures/studies/quadrotor has every filter."
+    "is the median with the RBPF; on the right how far each is from the flight on the IEKF. Every "
+    "filter flies under the same noise and losses, p = 0.2. figures/studies/quadrotor has every "
+    "filter."
 )
 
 

@@ -7,7 +7,8 @@ from repro.tables.results import Results
 
 NEEDS = {"points": {"quadrotor": ["nominal"]}}
 CAPTION = (
-    "Figure 9. The flight of Figure 8 in X, Y and Z, and the distance to the path in all flights. "
+    "Figure 9. The flight of Figure 8 in X, Y and Z, on the right less the flight on the IEKF, and "
+    "the distance to the path in all flights. "
     "The controller alone is 0.2 m behind: its velocity command is the position error. "
     "figures/studies/quadrotor has every filter."
 )

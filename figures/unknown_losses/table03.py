@@ -25,10 +25,5 @@ def draw(results: Results) -> Figure:
         ["control frequency 1/T", f"{1 / used.period:g} Hz", "100 Hz"],
         ["loss probability p", f"{used.loss_probability:g}", "0.2"],
     ]
-    drawn, axes = style.figure(size=(7.2, 2.4))
-    axes.axis("off")
-    table = axes.table(
-        cells, colLabels=["parameter", "here", "paper"], loc="center", colWidths=[0.45, 0.3, 0.25]
-    )
-    table.scale(1, 1.4)
-    return drawn
+    differing = [(place, 1) for place, (_, here, paper) in enumerate(cells) if here != paper]
+    return style.table(cells, ("parameter", "here", "paper"), (0.45, 0.3, 0.25), differing)

@@ -1,10 +1,8 @@
 """Colours and markers of the filters, those of a reader's own among them."""
 
-from itertools import combinations
-
 import numpy as np
 import pytest
-from matplotlib import pyplot
+from matplotlib import colors, pyplot
 
 from repro.plot import looks, style
 from repro.plot.looks import LOOKS, RESERVE, look
@@ -18,11 +16,21 @@ def pair(filter_, own=()):
     return of["color"], of["marker"]
 
 
-def test_filters_of_a_study_can_be_told_apart():
-    for study, points in catalogue().items():
-        names = dict.fromkeys(name for filters in points.values() for name in filters)
-        for first, second in combinations(names, 2):
-            assert pair(first) != pair(second), (study, first, second)
+def test_every_filter_of_the_catalogue_has_a_colour_and_marker_of_its_own_in_all_studies():
+    every = {f for points in catalogue().values() for filters in points.values() for f in filters}
+    assert every <= LOOKS.keys()
+    assert len({pair(name) for name in every}) == len(every)
+    for points in catalogue().values():
+        study = {name for filters in points.values() for name in filters}
+        assert len({look(name, ())["color"] for name in study}) == len(study)
+
+
+def test_values_of_a_parameter_are_shades_of_one_hue_from_light_to_dark():
+    drawn = [colors.rgb_to_hsv(colors.to_rgb(shade)) for shade in looks.shades(looks.BLUE, 5)]
+    brightness = [sum(colors.to_rgb(shade)) for shade in looks.shades(looks.BLUE, 5)]
+    assert brightness == sorted(brightness, reverse=True)
+    assert np.ptp([hue for hue, *_ in drawn]) < 0.02
+    assert looks.shades(looks.BLUE, 1) == [looks.BLUE.lower()]
 
 
 def test_a_new_filter_changes_no_other_and_shares_with_none():

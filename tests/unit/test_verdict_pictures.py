@@ -8,6 +8,7 @@ import pytest
 
 from repro.plot import style
 from repro.plot.robustness import OTHER, REVERSED, SAME, robustness
+from repro.plot.scoreboard import scoreboard
 from repro.plot.tally import tally
 from repro.plot.verdicts import LARGEST, verdicts
 
@@ -33,6 +34,7 @@ CLAIMS = pd.DataFrame(
         "kind": "claim",
         "class": "predicted",
         "verdict": ["holds", "undecided"],
+        "statement": ["Fig. 1: A is below B.", "Fig. 2: B is below C."],
         "standing": ["conditional on y", "robust (1 reading)"],
     }
 )
@@ -56,7 +58,7 @@ UNDER = pd.DataFrame(
 
 
 def results(*tables):
-    diff = pd.concat(tables).reindex(columns=[*VALUES.columns]).assign(paper="p")
+    diff = pd.concat(tables).reindex(columns=[*VALUES.columns, "statement"]).assign(paper="p")
     return SimpleNamespace(
         diff=lambda: diff,
         claims=lambda paper: PARTS,
@@ -78,24 +80,32 @@ def marks(axes):
     return [(float(np.ravel(d.get_xdata())[0]), d.get_marker()) for d in drawn]
 
 
-def test_marks_far_away_are_arrows_and_numbers_without_an_error_are_not_drawn():
-    drawn = verdicts(results(VALUES, CLAIMS), "p")
-    of_values, of_claims = drawn.axes
+def rows_of(axes):
+    """The words at the left of a panel, and those beside or inside it."""
+    left = [label.get_text() for label in axes.get_yticklabels()]
+    return left, [text.get_text() for text in axes.texts]
+
+
+def test_marks_far_away_are_arrows_and_exact_checks_have_panels_of_words():
+    of_values, exact_values, of_claims, exact_claims = verdicts(results(VALUES, CLAIMS), "p").axes
     assert marks(of_values) == [(0.0, "o"), (LARGEST, ">")]
+    assert rows_of(of_values) == (["fitted", "Table 1: a", "Table 1: b"], ["match", "differs"])
+    assert rows_of(exact_values) == (
+        ["identity", "Table 1: c"],
+        ["differs: printed 7, ours 8"],
+    )
     assert marks(of_claims) == [(4.0, "|"), (LARGEST, ">")]
-    texts = [text.get_text() for text in of_claims.texts]
-    assert "no error: 1 holds" in texts and "no error: 1 undecided" in texts
-    assert drawn.get_suptitle().splitlines() == [
-        "Exact values: 1 differs",
-        "Table 1: c: printed 7, ours 8",
-    ]
-    names = [label.get_text() for label in of_values.get_yticklabels()]
-    assert names == ["fitted", "Table 1: a: match", "Table 1: b: differs"]
+    assert rows_of(of_claims) == (["predicted", "Fig. 1: A is below B."], ["holds; exact: 1 holds"])
+    assert not exact_claims.lines
+    assert rows_of(exact_claims) == (
+        ["predicted", "Fig. 2: B is below C."],
+        ["undecided (1 undecided)"],
+    )
 
 
 def test_nothing_is_drawn_for_a_panel_without_rows():
-    assert len(verdicts(results(CLAIMS), "p").axes) == 1
-    assert len(verdicts(results(VALUES[2:], CLAIMS), "p").axes) == 1
+    assert len(verdicts(results(CLAIMS[:1]), "p").axes) == 1
+    assert len(verdicts(results(VALUES[2:], CLAIMS[:1]), "p").axes) == 2
 
 
 def test_the_most_fragile_verdict_is_first_and_what_is_not_run_is_blank():
@@ -116,6 +126,17 @@ def test_the_most_fragile_verdict_is_first_and_what_is_not_run_is_blank():
 
 def test_the_tally_names_authors_and_says_that_no_value_is_printed():
     (axes,) = tally(results(CLAIMS)).axes
-    names = [label.get_text() for label in axes.get_yticklabels()]
-    assert names == ["Author, Other (2001)", "values: none printed", "claims, predicted"]
-    assert [text.get_text() for text in axes.texts] == ["1", "1"]
+    names, numbers = rows_of(axes)
+    assert names == [
+        *("Author, Other (2001)", "values: none printed", "claims, predicted"),
+        *("all papers", "values: 0", "claims: 2"),
+    ]
+    assert numbers == ["1", "1", "1", "1"]
+
+
+def test_the_scoreboard_counts_verdicts_classes_and_standings():
+    values, claims, classes, standings = scoreboard(results(VALUES, CLAIMS)).axes
+    assert values.get_title() == "1 of 3 published values match"
+    assert claims.get_title() == "1 of 2 claims hold"
+    assert [text.get_text() for text in classes.texts] == ["1", "2", "2"]
+    assert [text.get_text() for text in standings.texts] == ["1", "1", "1", "2"]

@@ -3,43 +3,50 @@
 from collections.abc import Sequence
 from zlib import crc32
 
+import numpy as np
+from matplotlib import colors
+
 # Okabe and Ito's palette, which can be told apart with any kind of colour vision.
 BLUE, VERMILLION, GREEN, PINK = "#0072B2", "#D55E00", "#009E73", "#CC79A7"
 ORANGE, SKY, BLACK, OLIVE, GREY = "#E69F00", "#56B4E9", "#000000", "#999933", "0.45"
 PALETTE = (BLUE, VERMILLION, GREEN, PINK, ORANGE, SKY, BLACK, OLIVE)
 
-# Proposed filters are blue first; what knows the network is green, what ignores it vermillion.
+DARK = "0.2"
+
+# Colour by what a filter is: proposed ones blue, what knows the network green, what ignores it
+# vermillion. The marker makes the pair a filter's own over all studies.
 LOOKS = {
     "omvf": (BLUE, "o"),
+    "emvf": (BLUE, "s"),
+    "mapf": (BLUE, "^"),
+    "pf_ross_eh": (BLUE, "D"),
+    "bkf_1": (BLUE, "v"),
     "nahi": (VERMILLION, "s"),
-    "intermittent_kf": (ORANGE, "^"),
-    "sun": (BLACK, "D"),
+    "ekf": (VERMILLION, "o"),
+    "mapf_nmc": (VERMILLION, "v"),
+    "spf": (VERMILLION, "^"),
     "genie": (GREEN, "v"),
+    "iekf": (GREEN, "^"),
+    "spf_im": (GREEN, "s"),
+    "intermittent_kf": (ORANGE, "^"),
+    "mapf_nc": (ORANGE, "D"),
+    "bkf_2": (ORANGE, "s"),
+    "pf_ross": (ORANGE, "o"),
     "best_in_form": (PINK, "P"),
-    "emvf": (BLUE, "o"),
+    "mpf": (PINK, "s"),
+    "rbpf": (PINK, "D"),
+    "pf_ross_eh_exact": (PINK, "p"),
     "emvf_realised": (SKY, "P"),
-    "ekf": (VERMILLION, "s"),
-    "iekf": (GREEN, "v"),
-    "mapf": (BLUE, "o"),
-    "mapf_nc": (ORANGE, "^"),
-    "mapf_nmc": (VERMILLION, "s"),
-    "mpf": (PINK, "D"),
-    "dead_reckoning": (GREY, "None"),
-    "pf_ross_eh": (BLUE, "o"),
-    "pf_ross": (ORANGE, "^"),
-    "pf_eh": (SKY, "D"),
-    "spf": (VERMILLION, "s"),
-    "spf_im": (GREEN, "v"),
-    "pf_ross_eh_exact": (PINK, "P"),
+    "pf_eh": (SKY, "v"),
+    "ekf_no_loss": (SKY, "D"),
+    "sir_losses": (SKY, "h"),
+    "rbpf_fast": (OLIVE, "X"),
+    "sun": (BLACK, "D"),
+    "exact": (BLACK, "*"),
+    "true_state": (BLACK, "P"),
     "pf_ross_eh_joint": (BLACK, "X"),
     "prior": (GREY, "None"),
-    "bkf_1": (BLUE, "o"),
-    "bkf_2": (ORANGE, "^"),
-    "rbpf": (PINK, "D"),
-    "rbpf_fast": (OLIVE, "X"),
-    "exact": (BLACK, "*"),
-    "true_state": (BLACK, "*"),
-    "ekf_no_loss": (SKY, "P"),
+    "dead_reckoning": (DARK, "None"),
 }
 BASELINES = ("dead_reckoning", "prior")  # use no measurement; dashed
 # For filters that are not listed: no colour of the above.
@@ -52,6 +59,7 @@ RESERVE = (
     ("#DDCC77", "d"),
     ("#332288", "H"),
 )
+LIGHTEST, DARKEST = 0.5, 0.55  # shares of white and black in the outermost shades
 
 
 def look(filter_: str, own: Sequence[str]) -> dict[str, str]:
@@ -72,3 +80,13 @@ def _reserved(filter_: str, own: list[str]) -> tuple[str, str]:
     place = own.index(filter_) if filter_ in own else crc32(filter_.encode())
     turn, colour = divmod(place, len(RESERVE))  # the second turn has other pairs
     return RESERVE[colour][0], RESERVE[(colour + turn) % len(RESERVE)][1]
+
+
+def shades(colour: str, number: int) -> list[str]:
+    """One hue from light to dark, for the values of a parameter; the middle is `colour`."""
+    rgb = np.array(colors.to_rgb(colour))
+    drawn = []
+    for place in np.linspace(-LIGHTEST, DARKEST, number) if number > 1 else [0.0]:
+        red, green, blue = rgb - place * (1 - rgb) if place < 0 else rgb * (1 - place)
+        drawn.append(colors.to_hex((red, green, blue)))
+    return drawn

@@ -9,7 +9,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch, Rectangle
 
 from repro.plot import style
-from repro.plot.verdicts import BAD, WIDTH, in_words
+from repro.plot.style import WIDTH
+from repro.plot.verdicts import BAD, in_words
 from repro.tables.results import Results
 from repro.verdicts.standing import NOT_RUN, OPPOSITE, STANDINGS, too_few_trials
 

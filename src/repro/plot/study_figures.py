@@ -15,7 +15,7 @@ from repro.tables.results import Results
 
 PANELS = 6  # that a figure has at most
 COLUMNS = 3
-TITLE = 30  # characters of a panel's title on a line
+TITLE = 28  # characters of a panel's title on a line
 LABELS = 95  # characters of the legend on a line
 MARKERS = 6  # on a curve with many points
 NO_SWEEP = "no family of points of this study sweeps a number"
@@ -101,7 +101,7 @@ def _panels(titles: Sequence[str]) -> tuple[Figure, list[Axes]]:
     number = len(titles)
     columns = min(number, COLUMNS)
     rows = -(-number // columns)
-    size = (max(3.0 * columns, 6.6), 2.6 * rows + 0.9 if number > 1 else 4.6)
+    size = (style.WIDTH, 2.4 * rows + 0.9 if number > 1 else 4.6)
     drawn, grid = style.figure(rows, columns, size=size, squeeze=False)
     for axes in grid.flat[number:]:
         axes.remove()
@@ -155,14 +155,7 @@ def _curve(axes: Axes, results: Results, filter_: str, x: Any, y: Any, offset: f
 
 
 def _band(axes: Axes, results: Results, filter_: str, x: Any, value: Any, mcse: Any) -> None:
-    """Two standard errors of the logarithm, which stays positive.
-
-    An error is taken to be known to a factor of e^2 at least, where one run makes up the mean.
-    """
-    relative = np.divide(mcse, value, out=np.zeros(len(value)), where=np.asarray(value) > 0)
-    factor = np.exp(BAND * np.clip(relative, 0.0, 1.0))
-    colour = style.look(results, filter_)["color"]
-    axes.fill_between(x, value / factor, value * factor, color=colour, alpha=0.18, lw=0)
+    style.band(axes, x, value, mcse, style.look(results, filter_)["color"])
 
 
 def _unit(study: str) -> str:

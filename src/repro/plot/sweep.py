@@ -6,7 +6,6 @@ from typing import TypeVar
 from matplotlib.axes import Axes
 
 from repro.plot import style
-from repro.plot.style import BAND
 from repro.tables.results import Results
 
 Value = TypeVar("Value", bound=float)  # of the swept parameter
@@ -37,11 +36,13 @@ def sweep(
     component: str,
     names: dict[str, str] | None = None,
     filters: Iterable[str] | None = None,
+    log: bool = False,
 ) -> None:
     """Draw one line a filter: `points` maps the swept value to the point's name.
 
     `names` are the filters' names in this figure, where they differ from their labels; `filters`
-    those that are drawn besides a reader's own (default: all).
+    those that are drawn besides a reader's own (default: all); `log` tells the bands that the axis
+    is logarithmic.
     """
     table = results.table(study)
     table = table.loc[(table["metric"] == metric) & (table["component"] == component)]
@@ -51,11 +52,4 @@ def sweep(
         look = style.look(results, filter_)
         label = (names or {}).get(filter_, style.label(filter_))
         axes.plot(values, rows["value"], label=label, markersize=4, lw=1.3, **look)
-        axes.fill_between(
-            values,
-            rows["value"] - BAND * rows["mcse"],
-            rows["value"] + BAND * rows["mcse"],
-            color=look["color"],
-            alpha=0.2,
-            lw=0,
-        )
+        style.band(axes, values, rows["value"], rows["mcse"], look["color"], log)

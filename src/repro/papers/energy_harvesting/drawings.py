@@ -17,8 +17,8 @@ from repro.papers.energy_harvesting.compared import (
     study_of,
 )
 from repro.papers.energy_harvesting.symbols import SYMBOLS
-from repro.plot import style
-from repro.plot.sweep import BAND
+from repro.plot import looks, style
+from repro.plot.style import BAND
 from repro.studies.families import harvesting_sensors, signal_strength
 from repro.studies.families.signal_strength import SignalStrengthParameters
 from repro.tables.results import Results
@@ -26,7 +26,6 @@ from repro.tables.results import Results
 UNITS = {"position": "m", "velocity": "m/s"}
 EXPLAINED = f"bands ±{BAND:g} standard errors, dotted the median run"
 OWN_LINES = ("--", "-.")
-SMALLEST_DRAWN = 1e-3  # lower end of a band that reaches zero, on a logarithmic axis
 
 
 class Curve(NamedTuple):
@@ -49,7 +48,8 @@ def compared_filters(results: Results, study: str) -> list[Curve]:
 
 def over_points(results: Results, labels: dict[str, str]) -> list[Curve]:
     """PF-ROSS-EH at several points, given with their labels; dashed a reader's own filters."""
-    colours = dict(zip(labels, style.COLOURS, strict=False))
+    colour = style.look(results, PROPOSED)["color"]
+    colours = dict(zip(labels, looks.shades(colour, len(labels)), strict=True))
     own = [
         Curve(f"{style.label(f)}, {label}", point, f, colours[point], OWN_LINES[i % len(OWN_LINES)])
         for i, f in enumerate(results.own_filters)
@@ -84,23 +84,16 @@ def rmse_over_k(
             color=curve.colour,
         )
         axes.plot(rows["k"], rows["median"], lw=0.9, ls=":", color=curve.colour)
-        axes.fill_between(
-            rows["k"],
-            np.maximum(rows["value"] - BAND * rows["mcse"], SMALLEST_DRAWN),
-            rows["value"] + BAND * rows["mcse"],
-            alpha=0.2,
-            lw=0,
-            color=curve.colour,
-        )
+        style.band(axes, rows["k"], rows["value"], rows["mcse"], curve.colour)
     parameters = results.parameters(study, "base")
     k = np.arange(1, parameters.steps + 1)
     axes.plot(k, prediction(study, parameters, component, k), color="0.55", lw=1.2, label="no data")
     axes.set(
         xlabel=step_label(parameters),
         ylabel=f"{component} RMSE in {UNITS[component]}",
-        yscale="log",
-        ylim=(0.7 * lowest, None),
     )
+    style.plain_log(axes)
+    axes.set_ylim(bottom=0.7 * lowest)
 
 
 def prediction(
@@ -117,7 +110,7 @@ def prediction(
 
 def rmse_figure(results: Results, study: str, component: str) -> Figure:
     """Figures 6, 7, 12, 13: the filters that the paper compares."""
-    drawn, axes = style.figure(size=(7.2, 4.6))
+    drawn, axes = style.figure(size=(style.WIDTH, 4.8))
     rmse_over_k(axes, results, study, component, compared_filters(results, study))
     trials = len(results.log(study, "base").trials)
     axes.set_title(f"{trials} runs; {EXPLAINED}", fontsize=9)
@@ -132,25 +125,22 @@ def sweep_figure(results: Results, sweep: Sweep) -> Figure:
         point: rf"$\{value}$" if sweep.matrices else f"{symbol} = {value}"
         for point, value in sweep.values(results).items()
     }
-    drawn, grid = style.figure(1, 2, size=(9.2, 4.2))
+    table, trials = results.table(SWEPT_STUDY), len(results.log(SWEPT_STUDY, "base").trials)
+    lost = table.loc[table["filter"] == PROPOSED].groupby("point")["lost"].first()
+    for point in labels:
+        labels[point] += f": {lost[point] * trials:.0f} runs lost"
+    drawn, grid = style.figure(1, 2, size=(style.WIDTH, 4.0))
     for axes, component in zip(grid, UNITS, strict=True):
         rmse_over_k(axes, results, SWEPT_STUDY, component, over_points(results, labels))
     grid[0].legend(fontsize=8)
-    trials = len(results.log(SWEPT_STUDY, "base").trials)
     drawn.suptitle(f"{style.label(PROPOSED)}, {trials} runs; {EXPLAINED}", fontsize=10)
     return drawn
 
 
-def shown_run(results: Results, study: str) -> int:
-    """The trial that the figures of one run show."""
-    return results.analysis(study).shown_run
-
-
 def estimates(
-    results: Results, study: str, shown: Sequence[str] = (PROPOSED,)
+    results: Results, study: str, run: int, shown: Sequence[str] = (PROPOSED,)
 ) -> dict[str, np.ndarray]:
-    """Truth and estimates of the shown run, (steps + 1, n) each: of `shown` and a reader's own."""
-    run = shown_run(results, study)
+    """Truth and estimates of a run, (steps + 1, n) each: of `shown` and a reader's own."""
     truth = results.log(study, "base").values["/truth"][run]
     return {"truth": truth} | {
         f: truth + results.runs(study, "base", f).error[run]
@@ -168,10 +158,9 @@ class ShownSensor(NamedTuple):
     saturated: np.ndarray
 
 
-def shown_sensor(results: Results) -> ShownSensor:
-    """The sensor of Figures 4 and 5."""
-    log, analysis = results.log("rss_2d", "base"), results.analysis("rss_2d")
-    run, number = analysis.shown_run, analysis.shown_sensor
+def shown_sensor(results: Results, run: int) -> ShownSensor:
+    """The sensor of Figures 4 and 5 in a run."""
+    log, number = results.log("rss_2d", "base"), results.analysis("rss_2d").shown_sensor
     return ShownSensor(
         number,
         output=log.field("/sensor", f"y_{number}")[run],

@@ -3,8 +3,10 @@
 from typing import NamedTuple
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from repro.papers.packet_delays.claims.errors import largest_error
 from repro.papers.packet_delays.points import (
     FIGURES_3_6,
     FIGURES_7_10,
@@ -12,12 +14,13 @@ from repro.papers.packet_delays.points import (
     missed_packets,
     tracking_point,
 )
-from repro.plot import style
-from repro.statistics.runs import Runs
+from repro.plot import looks, style
+from repro.statistics.typical_run import TypicalRun, typical_run
 from repro.studies import wsn_tracking
 from repro.tables.results import Results
 
 MARGIN = 15  # m drawn round the field
+NUMBERS = {3: "three", 4: "four"}
 
 
 class Curve(NamedTuple):
@@ -32,17 +35,17 @@ class Curve(NamedTuple):
 def curves(results: Results, arrival: str, ekf: bool) -> list[Curve]:
     """EMVF and a reader's own filters with N = 1 and N = 2, the others with N = 1.
 
-    The EKF is drawn where the paper draws it.
+    The EKF is drawn where the paper draws it. N = 2 is the darker shade of the filter's colour.
     """
     drawn = []
-    for bound, other in ((1, {}), (2, {"linestyle": "--"})):
+    for bound in (1, 2):
         point = tracking_point(bound, arrival)
         for filter_ in results.and_own(TRACKING, point, FIGURES_3_6 if ekf else FIGURES_7_10):
-            look, label = style.look(results, filter_) | other, style.label(filter_)
-            if filter_ == "emvf" and bound == 2:
-                look = style.look(results, filter_) | {"color": style.COLOURS[3], "marker": "s"}
+            look, label = style.look(results, filter_), style.label(filter_)
             if filter_ == "emvf" or filter_ in results.own_filters:
-                drawn.append(Curve(f"{label}, N = {bound}", point, filter_, look))
+                shade = looks.shades(look["color"], 2)[bound - 1]
+                name = f"{label}, N = {bound}"
+                drawn.append(Curve(name, point, filter_, look | {"color": shade}))
             elif bound == 1:
                 drawn.append(Curve(label, point, filter_, look))
     return sorted(drawn, key=lambda curve: curve.filter != "emvf")  # its two side by side
@@ -53,85 +56,99 @@ def missed_steps(results: Results, arrival: str) -> np.ndarray:
     return missed_packets(results.log(TRACKING, tracking_point(1, arrival)))
 
 
-def run_missing(results: Results, arrival: str, number: int) -> int:
-    """The first run that misses this number of packets; 0 if none does."""
-    return int((missed_steps(results, arrival).sum(axis=1) == number).argmax())
+def run_missing(results: Results, arrival: str, number: int, ekf: bool) -> TypicalRun:
+    """The typical run of those that miss this number of packets."""
+    return _typical(results, arrival, missed_steps(results, arrival).sum(axis=1) == number, ekf)
 
 
-def run_missing_step(results: Results, arrival: str, k: int) -> int:
-    """The first run that misses the packet of step k and no other; 0 if none does."""
+def run_of_figure_6(results: Results, arrival: str) -> TypicalRun:
+    """The typical run of those that miss the packet that the paper names, and no other."""
     missed = missed_steps(results, arrival)
-    return int(((missed.sum(axis=1) == 1) & missed[:, k - 1]).argmax())
+    k = results.analysis(TRACKING).figure_6_missed_step
+    return _typical(results, arrival, (missed.sum(axis=1) == 1) & missed[:, k - 1], ekf=True)
 
 
-def run_of_figure_6(results: Results, arrival: str) -> int:
-    """The first run that misses the packet of the step that the paper names, and no other."""
-    return run_missing_step(results, arrival, results.analysis(TRACKING).figure_6_missed_step)
-
-
-def run_of_figure_8(results: Results, arrival: str) -> int:
-    """The first run that misses as many packets as a run does on average, rounded."""
+def run_of_figure_8(results: Results, arrival: str) -> TypicalRun:
+    """The typical run of those that miss as many packets as a run does on average, rounded."""
     parameters = results.parameters(TRACKING, tracking_point(1, arrival))
     mean = parameters.steps * (1 - parameters.arrival_probability)
-    return run_missing(results, arrival, round(mean))
+    return run_missing(results, arrival, round(mean), ekf=False)
 
 
-def run_of_figure_10(results: Results, arrival: str) -> int:
-    """The first run that misses as many packets as the one that the paper shows."""
-    return run_missing(results, arrival, results.analysis(TRACKING).figure_10_missed_packets)
+def run_of_figure_10(results: Results, arrival: str) -> TypicalRun:
+    """The typical run of those that miss as many packets as the one that the paper shows."""
+    number = results.analysis(TRACKING).figure_10_missed_packets
+    return run_missing(results, arrival, number, ekf=False)
 
 
-def _largest_error(runs: Runs, trial: int) -> float:
-    return wsn_tracking.position_error(runs)[trial, 1:].max()
+def _typical(results: Results, arrival: str, qualifies: np.ndarray, ekf: bool) -> TypicalRun:
+    """By the largest error of each curve but a reader's own, which must not change the run."""
+    compared = [(1, "emvf"), (2, "emvf"), (1, "iekf"), *([(1, "ekf")] if ekf else [])]
+    errors = [largest_error(results, bound, arrival, filter_) for bound, filter_ in compared]
+    return typical_run(errors, qualifies)
 
 
-def trajectories(results: Results, arrival: str, trial: int, ekf: bool) -> Figure:
+def trajectories(results: Results, arrival: str, run: TypicalRun, ekf: bool) -> Figure:
     """One panel a filter: field, sensors, tasked sensors, true and estimated positions, links."""
     shown = curves(results, arrival, ekf)
     side = results.parameters(TRACKING, shown[0].point).field_side
-    columns = min(len(shown), 2)
+    columns = 3 if len(shown) % 3 == 0 else 2
     rows = -(-len(shown) // columns)
-    drawn, grid = style.figure(rows, columns, size=(3.9 * columns, 3.9 * rows), squeeze=False)
+    drawn, grid = style.figure(
+        rows,
+        columns,
+        size=(style.WIDTH, (style.WIDTH / columns + 0.2) * rows + 1.0),
+        squeeze=False,
+        sharex=True,
+        sharey=True,
+    )
     for axes in grid.flat[len(shown) :]:
         axes.remove()
     for axes, curve in zip(grid.flat, shown, strict=False):
         log = results.log(TRACKING, curve.point)
         runs = results.runs(TRACKING, curve.point, curve.filter)
-        truth = log.values["/truth"][trial]
-        estimate = truth + runs.error[trial]
-        sensors = wsn_tracking.positions(log)[trial]
-        tasked = sensors[runs.recorded["tasked"][trial]]
+        truth = log.values["/truth"][run.trial]
+        estimate = truth + runs.error[run.trial]
+        sensors = wsn_tracking.positions(log)[run.trial]
+        tasked = sensors[runs.recorded["tasked"][run.trial]]
         links = np.stack([estimate[:, :2], tasked], axis=1)
-        axes.plot(*links.transpose(2, 1, 0), color=style.COLOURS[0], lw=0.4, alpha=0.6)
+        axes.plot(*links.transpose(2, 1, 0), color="0.75", lw=0.5, zorder=1)
         axes.plot(*truth[:, :2].T, color="black", lw=1.2, label="true")
-        axes.plot(
-            *estimate[:, :2].T,
-            color=curve.look["color"],
-            marker=".",
-            ms=4,
-            lw=0.8,
-            label="estimate",
-        )
-        axes.plot(*sensors.T, "o", mfc="none", color="0.4", ms=5, label="sensor")
-        axes.plot(*tasked.T, "*", color=style.COLOURS[4], ms=7, label="tasked sensor")
+        look = {"color": curve.look["color"], "marker": ".", "ms": 4, "lw": 0.8}
+        axes.plot(*estimate[:, :2].T, **look, label=curve.label)
+        axes.plot(*sensors.T, "o", mfc="white", color="0.4", ms=5)
+        axes.plot(*tasked.T, "*", color=style.COLOURS[4], mec="black", mew=0.4, ms=8)
+        largest = wsn_tracking.position_error(runs)[run.trial, 1:].max()
         axes.set(
-            title=f"{curve.label}: largest error {_largest_error(runs, trial):.3g} m",
-            xlabel="x in m",
-            ylabel="y in m",
+            title=f"{curve.label}:\nlargest error {largest:.3g} m",
             xlim=(-MARGIN, side + MARGIN),
             ylim=(-MARGIN, side + MARGIN),
             aspect="equal",
         )
         axes.title.set_fontsize(9)
-    grid.flat[0].legend(fontsize=7, loc="lower left")
-    drawn.suptitle(f"p = {arrival}, run {trial}", fontsize=10)
+        axes.set(xlabel="x in m", ylabel="y in m")
+        axes.label_outer()
+    _track_legend(drawn, grid.flat[0])
+    drawn.suptitle(f"p = {arrival}: {run.words}", fontsize=10)
     return drawn
+
+
+def _track_legend(drawn: Figure, axes: Axes) -> None:
+    """Below the panels, where it hides no sensor."""
+    handles = [
+        *axes.plot([], [], color="black", lw=1.2, label="true"),
+        *axes.plot([], [], ".-", color="0.3", lw=0.8, label="estimate (in the filter's colour)"),
+        *axes.plot([], [], "o", mfc="white", color="0.4", ms=5, label="sensor"),
+        *axes.plot([], [], "*", color=style.COLOURS[4], mec="black", mew=0.4, ms=8, label="tasked"),
+        *axes.plot([], [], color="0.75", lw=0.8, label="estimate to its tasked sensor"),
+    ]
+    drawn.legend(handles=handles, fontsize=8, ncols=5, loc="outside lower center")
 
 
 def error_over_k(
     results: Results,
     arrival: str,
-    trial: int,
+    run: TypicalRun,
     ekf: bool,
     published: dict[str, tuple[float, float]] | None = None,
 ) -> Figure:
@@ -140,41 +157,42 @@ def error_over_k(
     `published` maps a label to the range of error in m that the paper names.
     """
     drawn, (axes, strip) = style.figure(
-        2, 1, size=(7.2, 5.0), sharex=True, gridspec_kw={"height_ratios": [6, 1]}
+        2, 1, size=(style.WIDTH, 5.6), sharex=True, gridspec_kw={"height_ratios": [6, 1]}
     )
     shown = curves(results, arrival, ekf)
     table = results.curves(TRACKING)
+    errors = []
     for curve in shown:
         runs = results.runs(TRACKING, curve.point, curve.filter)
-        error = wsn_tracking.position_error(runs)[trial]
-        steps = np.arange(1, len(error))
+        errors.append(wsn_tracking.position_error(runs)[run.trial, 1:])
+        steps = np.arange(1, len(errors[-1]) + 1)
         rows = table[(table["point"] == curve.point) & (table["filter"] == curve.filter)]
         rows = rows[rows["k"] > 0]
-        axes.plot(steps, error[1:], ms=3, lw=1.2, label=curve.label, **curve.look)
+        axes.plot(steps, errors[-1], ms=3, lw=1.2, label=curve.label, **curve.look)
         axes.fill_between(
             rows["k"], rows["q10"], rows["q90"], color=curve.look["color"], alpha=0.13, lw=0
         )
-    for name, (low, high) in (published or {}).items():
-        axes.axhline(high, color="black", lw=1, ls=":")
-        axes.axhline(low, color="black", lw=1, ls=":")
-        axes.annotate(
-            name,
-            (1, low),
-            fontsize=8,
-            va="top",
-            xytext=(0, -2),
-            textcoords="offset points",
-            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.5},
-            zorder=5,
-        )
+    lowest, highest = np.min(errors), np.max(errors)
+    lines = ((":", "black"), ("--", "0.4"))
+    for (name, (low, high)), (dashes, colour) in zip(
+        (published or {}).items(), lines, strict=False
+    ):
+        for edge, label in {low: name, high: name if low == high else None}.items():
+            axes.axhline(edge, color=colour, lw=1.2, ls=dashes, label=label)
+        highest = max(highest, high)
+    if np.allclose(errors, errors[0], rtol=1e-6):
+        axes.plot([], [], " ", label=f"all {NUMBERS.get(len(shown), len(shown))} coincide")
+    # A filter that loses the target in other runs takes its band out of the picture.
     axes.set(
         yscale="log",
-        ylim=(5e-4, None),
+        ylim=(max(lowest / 2, 5e-4), 5 * highest),
         ylabel="position error Er(k) in m",
-        title=f"p = {arrival}: lines are run {trial}, bands 10 to 90 % of all runs",
+        title=f"p = {arrival}: lines are {run.words};\nbands 10 to 90 % of all "
+        f"{int(results.in_shards(TRACKING, shown[0].point, shown[0].filter).trials)} runs",
     )
-    axes.legend(fontsize=8, ncols=2)
-    on_time = ~missed_steps(results, arrival)[trial]
+    axes.title.set_fontsize(10)
+    drawn.legend(*axes.get_legend_handles_labels(), fontsize=8, ncols=3, loc="outside lower center")
+    on_time = ~missed_steps(results, arrival)[run.trial]
     time = results.parameters(TRACKING, shown[0].point).sampling_time
     strip.step(np.arange(1, len(on_time) + 1), on_time, where="mid", color="black", lw=1)
     strip.set(

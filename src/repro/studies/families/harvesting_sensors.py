@@ -54,13 +54,7 @@ class HarvestingParameters(PointParameters):
         return self
 
 
-class HarvestingAnalysis(Values):
-    """What the figures of a single run show."""
-
-    shown_run: int = Field(ge=0, description="trial that the figures of a single run show")
-
-
-class ExactnessAnalysis(HarvestingAnalysis):
+class ExactnessAnalysis(Values):
     """When two numbers are equal, and on what the reductions of PF-ROSS-EH are tested."""
 
     rounding: Positive = Field(description="largest difference of numbers that are equal")

@@ -10,12 +10,11 @@ from repro.kernels.sensed_plants import SQUARED_DISTANCE_FLOOR
 from repro.logs import Log
 from repro.models import rss
 from repro.models.sensor_network import DrawPrior, GaussianNoise, SensorNetwork
-from repro.parameters.values import Positive, Probability, at_most
+from repro.parameters.values import Positive, Probability, Values, at_most
 from repro.statistics.runs import Runs
 from repro.studies import StreamsOf
 from repro.studies.families import harvesting_sensors
 from repro.studies.families.harvesting_sensors import (
-    HarvestingAnalysis,
     HarvestingParameters,
     HarvestingStudy,
 )
@@ -54,7 +53,7 @@ class SignalStrengthParameters(HarvestingParameters, Generic[Position, State]):
         return self
 
 
-class SignalStrengthAnalysis(HarvestingAnalysis):
+class SignalStrengthAnalysis(Values):
     """When a run has lost its target, and when too few runs are left to compare."""
 
     lost_above: Positive = Field(

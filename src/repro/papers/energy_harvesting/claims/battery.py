@@ -5,6 +5,7 @@ import numpy as np
 from repro.logs import Log
 from repro.papers.energy_harvesting.claims.transmissions import probability, share_sent
 from repro.papers.energy_harvesting.compared import HARVESTS, SWEPT_STUDY
+from repro.papers.energy_harvesting.shown import shown_run
 from repro.studies.families import harvesting_sensors, signal_strength
 from repro.tables.results import Results
 from repro.verdicts.claims import Claim, Part, below, claim, most, smaller
@@ -32,15 +33,14 @@ def harvest_is_the_cause(results: Results) -> list[Part]:
     "Fig. 4: In the shown run the output of the shown sensor is saturated at times.",
 )
 def saturation_is_seen(results: Results) -> list[Part]:
-    shown = results.analysis("rss_2d")
+    sensor, run = results.analysis("rss_2d").shown_sensor, shown_run(results, "rss_2d").trial
 
     def instants(log: Log) -> np.ndarray:
-        return signal_strength.saturated(log, shown.shown_sensor)[:, 1:].sum(axis=1)
+        return signal_strength.saturated(log, sensor)[:, 1:].sum(axis=1)
 
     counts = results.each_log("rss_2d", "base", instants)
-    name = f"minus the number of such instants in run {shown.shown_run}"
     return [
-        below(name, -float(counts[shown.shown_run]), -0.5),
+        below(f"minus the number of such instants in run {run}", -float(counts[run]), -0.5),
         most("a run has such an instant", counts > 0),
     ]
 
