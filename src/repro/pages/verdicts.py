@@ -176,8 +176,8 @@ def report_page(table: pd.DataFrame) -> str:
     lines = []
     for paper, rows in table.groupby("paper", sort=False):
         by_kind = {kind: rows.loc[rows["kind"] == kind, "verdict"] for kind in VERDICTS}
-        counts = [f"{k}s: {_counts(v, VERDICTS[k])}" for k, v in by_kind.items() if len(v)]
-        lines.append(f"- {_escaped(f'{paper}, ' + '; '.join(counts))}")
+        told = [f"{k}s: {counts(v, VERDICTS[k])}" for k, v in by_kind.items() if len(v)]
+        lines.append(f"- {_escaped(f'{paper}, ' + '; '.join(told))}")
     text = [TITLE, "=" * len(TITLE), "", *lines, "", _escaped(WHERE)]
     return "\n".join(text) + "\n"
 
