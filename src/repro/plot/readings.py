@@ -20,9 +20,10 @@ EXPLAINED = f"bars ±{BAND:g} standard errors, crosses median runs"
 
 
 def in_words(reading: str) -> str:
-    """A reading's name without prefix and underscores."""
+    """The name of a reading, or of a point, without prefix and underscores."""
     changed = NEXT_NAME.sub(", ", reading.removeprefix("reading-"))
-    return changed.replace("_", " ").replace("=", " = ")
+    words = changed.replace("_", " ").replace("@", "; ").replace("=", " = ")
+    return " ".join(words.split())
 
 
 def readings_of_point(results: Results, study: str, base: str) -> list[str]:

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 
 from repro import plugins
 from repro.plot import style
+from repro.plot.readings import in_words
 from repro.plot.style import BAND
 from repro.tables.results import Results
 
@@ -65,7 +66,7 @@ def over_sweep(results: Results, study: str) -> Figure:
             _band(axes, results, filter_, list(there), rows["error"], rows["mcse"])
         style.error_axis(axes, "y")
         style.number_axis(axes, list(points), "x")
-        axes.set_xlabel(key.replace("_", " "))
+        axes.set_xlabel(key.replace("_", " ").replace(".", ": "))
     _label_left(grid, f"error{_unit(study)}, mean over k")
     return _finished(drawn, grid, f"{_title(results, study)}; bands: ±{BAND:g} standard errors")
 
@@ -106,7 +107,7 @@ def _panels(titles: Sequence[str]) -> tuple[Figure, list[Axes]]:
     for axes in grid.flat[number:]:
         axes.remove()
     for axes, title in zip(grid.flat, titles, strict=False):
-        axes.set_title(fill(title, TITLE), fontsize=9)
+        axes.set_title(fill(in_words(title), TITLE), fontsize=9)
     return drawn, list(grid.flat[:number])
 
 

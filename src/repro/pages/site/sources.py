@@ -30,11 +30,6 @@ def write_sources(content: Content, folder: Path) -> None:
     _write_library(folder / "static")
     for name in ("style.css", "tables.js"):
         (folder / name).rename(folder / "static" / name)
-    notebooks = sorted((content.project / "docs").glob("*.ipynb"))
-    for notebook in notebooks:
-        target = folder / "extra/how-to" / notebook.name
-        target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(notebook, target)
 
 
 def _pages(content: Content) -> dict[str, str]:
