@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
 from repro.logs import Log
 from repro.parameters.load import Point, load_paper
@@ -17,6 +18,12 @@ from repro.workflow.registry import Catalogue
 
 ROOT = Path(__file__).parent.parent
 SEED = 1
+LONGEST = ("tests/workflow/", "tests/torture/", "tests/papers/")  # they start Snakemake, or draw
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The folders with the longest files first, so that all workers end together."""
+    items.sort(key=lambda item: not item.nodeid.startswith(LONGEST))
 
 
 @cache

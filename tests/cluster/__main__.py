@@ -22,6 +22,7 @@ PROGRAMS = ("slurmctld", "slurmd", "srun", "munged")
 
 # One study each of Kalman and particle filters, of a censored network and in a closed loop.
 STUDIES = ("linear_delays", "ungm", "deadband", "quadrotor")
+FILTERS = ("omvf", "sun", "pf_ross_eh", "mapf", "mpf", "bkf_1", "true_state")
 TABLES = [f"smoke/results/tables/{study}.csv" for study in STUDIES]
 ALONE = "runs/deadband/main/mapf"  # the results of one job,
 NEEDS_IT = "tables/deadband.csv"  # and those of another, without which the first would not run
@@ -35,7 +36,7 @@ RESULTS = (
 
 
 class Copy(Project):
-    """A copy with one point of each study, two of the linear one: few and short jobs."""
+    """A copy with a point and two filters of each study: few and short jobs."""
 
     options = ("-j2", "--profile", "profiles/smoke")
 
@@ -47,6 +48,7 @@ class Copy(Project):
         self.keep_only("packet_delays", "linear_delays", ["arrival=0.5", "arrival=0.9"])
         self.keep_first("energy_harvesting", "ungm")
         self.keep_first("unknown_losses", "quadrotor")
+        self.keep_filters(*FILTERS)
 
     def results(self) -> dict[str, bytes]:
         return self.bytes_of(*(f"smoke/results/{pattern}" for pattern in RESULTS), FIGURE)
