@@ -83,7 +83,11 @@ TRACKING = ("studies", "wsn_tracking")
             "arrival=1.2: parameters.arrival_probability: 1.2 is too large; it must be at most 1",
         ),
         ((*POINT, "sweep", "arrival_probability"), [], "has 0 entries; at least 1 needed"),
-        ((*POINT, "sweep", "emvf.x"), [1], "no settings of a filter 'emvf'; known are best_in_form, nahi,"),
+        (
+            (*POINT, "sweep", "emvf.x"),
+            [1],
+            "no settings of a filter 'emvf'; known are best_in_form, nahi,",
+        ),
         ((*POINT, "sweep", "omvf.x"), [1], "filters.omvf: unknown key 'x'; known keys are alpha"),
         ((*POINT, "name"), "a={b}", "point name 'a={b}': there is no parameter or setting 'b'"),
         ((*POINT, "name"), "{omvf.b}", "there is no parameter or setting 'b'"),

@@ -51,6 +51,7 @@ rule manifest:
             [] if SMOKE else [rules.diff.output, rules.diff.input.claims],
             [] if SMOKE else [rules.diff.input.facts, rules.diff.input.joint],
             [] if SMOKE else [rules.tails.output, rules.convergence.output, rules.mismatch.output],
+            [] if SMOKE else rules.findings.output,
             rules.diff.input.tables,
             rules.parameters.output,
             rules.assumptions.output,
