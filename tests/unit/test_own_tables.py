@@ -3,6 +3,7 @@
 from types import SimpleNamespace
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from repro.errors import ReproError
@@ -11,11 +12,14 @@ from repro.parameters.families import Resolved
 from repro.parameters.load import whose_logs
 from repro.parameters.point_names import batch_of, is_common, is_plain, is_reading
 from repro.parameters.settings import checked_settings
+from repro.plot.convergence import convergence
+from repro.plot.mismatch import mismatch
 from repro.runner import run
 from repro.studies.rss_2d import STUDY as RSS_2D
 from repro.tables.convergence import Convergence, where
 from repro.tables.mismatch import mean_transmission
 from repro.tables.tails import entries, worst_share
+from repro.verdicts.decidable import write_decidable
 from repro.workflow.registry import Registry, swept_filters
 from tests.conftest import points, small_log
 
@@ -117,3 +121,39 @@ def test_a_filter_runs_on_such_a_point_if_its_settings_are_swept():
         "base",
         "loss=0.1",
     ]
+
+
+def test_a_margin_falls_with_the_root_of_the_runs(tmp_path):
+    parts = [("a", -8.0), ("a", -20.0), ("b", 40.0), ("b", -5.0), ("c", -float("inf"))]
+    claims = pd.DataFrame(parts, columns=["item", "margin"]).assign(
+        paper="p", statement="s", runs="radar:1600 ungm:100", verdict=["holds"] * 5
+    )
+    claims.loc[2, "verdict"] = "fails"
+    claims.to_csv(tmp_path / "claims.csv", index=False)
+    printed = {"radar": 100, "ungm": 100}
+    write_decidable([tmp_path / "claims.csv"], printed, 3.0, tmp_path / "decidable.csv")
+    found = pd.read_csv(tmp_path / "decidable.csv").set_index("item")
+    assert found["margin_as_printed"].to_dict() == {"a": -2.0, "b": 10.0}  # a quarter
+    assert found["verdict_as_printed"].to_dict() == {"a": "undecided", "b": "fails"}
+    assert found.loc["a", "runs_needed"] == 225  # 1600 (3 / 8)^2
+
+
+@pytest.mark.parametrize("assumed", [[0.1, 0.5, 0.9], ["Bernoulli", "Markov", "Markov"]])
+def test_pictures_of_mismatch_and_convergence(assumed):
+    rows = pd.DataFrame(
+        {"study": "radar", "filter": "bkf_1", "parameter": "loss", "true": assumed[1]}
+        | {"assumed": assumed, "relative": [1.2, 1.0, 1.1], "relative_mcse": 0.1}
+        | {"relative_median": 1.0}
+    )
+    sizes = pd.DataFrame(
+        {"study": "radar", "where": "loss=0.1", "filter": "rbpf", "particles": [10, 100, 1000]}
+        | {"reference": 1000, "printed": 100, "error": [3.0, 2.0, 1.0], "mcse": 0.1}
+        | {"squared_distance": [4.0, 1.0, 0.0], "squared_distance_mcse": 0.1, "rate": 1.0}
+        | {"rate_mcse": 0.1, "rate_beyond": np.nan, "rate_beyond_mcse": np.nan}
+    )
+    results = SimpleNamespace(
+        mismatch=lambda study: rows, convergence=lambda study: sizes, own_filters=[]
+    )
+    for drawn, lines in ((mismatch(results, ["radar"]), 1), (convergence(results, ["radar"]), 2)):
+        assert len(drawn.axes) == lines
+        assert all(axes.get_legend() or axes is not drawn.axes[0] for axes in drawn.axes)

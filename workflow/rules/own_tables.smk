@@ -102,3 +102,39 @@ rule cost:
         code=code("repro.plot.cost", "repro.tables.cost", "repro.workflow.timings"),
     script:
         "../scripts/cost.py"
+
+
+# What these tables show, in sentences; and which claims as many runs as the paper's would decide.
+rule findings:
+    input:
+        rules.tails.output,
+        rules.convergence.output,
+        rules.mismatch.output,
+        claims=[LAYOUT.claims(paper) for paper in JUDGED],
+    output:
+        decidable=LAYOUT.page("decidable.csv"),
+        findings=LAYOUT.page("findings.csv"),
+    log:
+        LAYOUT.job_log("findings"),
+    benchmark:
+        LAYOUT.timing("findings")
+    conda:
+        ENVIRONMENT
+    params:
+        printed={
+            study: trials
+            for paper in PAPERS.values()
+            for study, trials in paper.printed_trials.items()
+        },
+        papers={
+            paper: {
+                "tails": [study for study in HEAVY_TAILED if study in content.studies],
+                "convergence": [study for study in CONVERGENCE if study in content.studies],
+                "mismatch": [study for study in MISMATCH if study in content.studies],
+            }
+            for paper, content in PAPERS.items()
+        },
+        results=lambda wildcards: results_of([*STUDIES]),
+        code=code("repro.pages.findings", "repro.verdicts.decidable"),
+    script:
+        "../scripts/findings.py"

@@ -79,6 +79,7 @@ rule manifest:
             [] if SMOKE else [rules.diff.input.facts, rules.diff.input.joint],
             [] if SMOKE else [LAYOUT.verdicts(paper) for paper in JUDGED],
             [] if SMOKE else [rules.tails.output, rules.convergence.output, rules.mismatch.output],
+            [] if SMOKE else rules.findings.output,
             rules.diff.input.tables,
             rules.parameters.output,
             rules.assumptions.output,

@@ -14,6 +14,7 @@ from repro.parameters.paper_file import (
     PaperFile,
     Ranking,
     RunFile,
+    StudySection,
     every_value,
     plain,
 )
@@ -53,6 +54,7 @@ class Paper(NamedTuple):
     analysis: dict[str, dict[str, Any]]  # study -> thresholds of its metrics and claims
     ranking: dict[str, Ranking]  # study -> whose its filters are
     consistency: dict[str, dict[str, str]]  # study -> points where covariances are judged: why
+    printed_trials: dict[str, int | None]  # study -> the paper's number of runs
     run: dict[str, list[str]]  # study -> filters that run on every point without a rule
     examples: dict[str, dict[str, Any]]
     calibration: dict[str, Any]  # box and effort of the search for what was fitted
@@ -181,10 +183,17 @@ def load_paper(path: str | Path) -> Paper:
         analysis,
         {name: section.ranking for name, section in content.studies.items()},
         {name: section.consistency for name, section in content.studies.items()},
+        {name: _printed(section, analysis[name]) for name, section in content.studies.items()},
         {name: section.run for name, section in content.studies.items()},
         examples,
         plain(content.calibration),
     )
+
+
+def _printed(section: StudySection, analysis: dict[str, Any]) -> int | None:
+    """The paper's number of runs, which may be a threshold of its study as well."""
+    printed = section.printed_trials
+    return analysis.get("printed_trials") if printed is None else printed.value
 
 
 def load_run(path: str | Path, overrides: dict[str, Any]) -> Run:

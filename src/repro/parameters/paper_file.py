@@ -69,6 +69,7 @@ class StudySection(Values):
     """One study of a paper."""
 
     parameters: Entries
+    printed_trials: Sourced | None = None  # the paper's number of runs
     # Filters of this package that run on every point; for a study that has no rule of its own.
     run: list[str] = Field(default_factory=list)
     ranking: Ranking = Field(default_factory=Ranking)
@@ -109,6 +110,9 @@ def every_value(content: PaperFile) -> Iterator[tuple[str, str, str, Any, WithSo
     for study, section in content.studies.items():
         for name, entry in section.parameters.items():
             yield study, "every", name, entry.value, entry
+        if section.printed_trials is not None:
+            printed = section.printed_trials
+            yield study, "every", "printed_trials", printed.value, printed
         for filter_, settings in section.filters.items():
             for name, entry in settings.items():
                 yield study, "every", f"{filter_}.{name}", entry.value, entry

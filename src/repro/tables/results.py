@@ -181,6 +181,10 @@ class Results:
         """The table of a study, in long form."""
         return pd.read_csv(self.layout.table(study))
 
+    def tails(self, study: str) -> pd.DataFrame:
+        """What the means of a study hide."""
+        return pd.read_csv(self.layout.tails(study))
+
     def convergence(self, study: str) -> pd.DataFrame:
         """The errors of a study over the number of particles."""
         return pd.read_csv(self.layout.convergence(study))

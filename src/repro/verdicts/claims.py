@@ -14,6 +14,7 @@ import numpy as np
 from repro.statistics import metrics
 from repro.tables.csv_file import write_csv
 from repro.tables.results import Results
+from repro.tables.under_reading import UnderReading
 
 # Of two root seeds' numbers, the error of their difference over that of each.
 OF_TWO_SEEDS = math.sqrt(2.0)
@@ -151,16 +152,27 @@ def risk(expect: str, of_parts: Mapping[str, np.ndarray]) -> float:
 
 
 def decide(results: Results, paper: str, path: str | Path) -> None:
-    """Test every claim of a paper; write one row for each part."""
+    """Test every claim of a paper; write one row for each part.
+
+    `runs` are the fewest of each study that the claim looks at.
+    """
     rows = []
     claims: list[Claim] = import_module(f"repro.papers.{paper}.claims").CLAIMS
+    as_they_are = {study: {p: p for p in points} for study, points in results.catalogue.items()}
+    view = UnderReading(results, as_they_are)
     for item, statement, test in claims:
-        for part in test(results):
+        view.used.clear()
+        parts = list(test(view))
+        runs: dict[str, int] = {}
+        for (study, _, _), trials in sorted(view.used.items()):
+            runs[study] = min(trials, runs.get(study, trials))
+        for part in parts:
             rows.append(
                 {"paper": paper, "item": item, "statement": statement, "part": part.name}
                 | {"difference": part.difference, "mcse": part.mcse, "margin": part.margin}
                 | {"verdict": part.verdict(results.tolerance)}
                 | {"possible": " ".join(sorted(part.possible(results.tolerance)))}
                 | part.risks(results.tolerance)
+                | {"runs": " ".join(f"{study}:{number}" for study, number in runs.items())}
             )
     write_csv(rows, path)
