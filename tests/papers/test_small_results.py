@@ -30,7 +30,7 @@ from repro.plot import study_figures, style
 from repro.plot.draw import draw
 from repro.runner import FilteredPoint, run_filter
 from repro.simulate import simulate
-from repro.tables import consistency
+from repro.tables import bounds, consistency
 from repro.tables.results import Results
 from repro.tables.study_tables import tabulate
 from repro.verdicts.claims import decide
@@ -141,15 +141,16 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> Build:
         folder = tmp_path_factory.mktemp(name)
         described = {study: paper.described(study) for study in paper.studies}
         results = Results(folder / "results", points, 1, described, own, RUN.tolerance)
-        layout, rows = results.layout, []
+        layout, claims, least = results.layout, [], []
         for study in points:
             run_study(results, study, paper.studies[study])
             table, curves = layout.table(study), layout.curves(study)
             files = [table, curves, *ranking_files(results, study)]
             first, second, *ranking = map(created, files)
             tabulate(results, study, first, second, ranking)
-            rows += consistency.tabulate(results, study, created(layout.consistency(study)))
-        write_summary(rows, created(layout.consistency_summary(name)))
+            claims += consistency.tabulate(results, study, created(layout.consistency(study)))
+            least += bounds.tabulate(results, study, created(layout.bounds(study)))
+        write_summary(claims, least, created(layout.consistency_summary(name)))
         compute(computed_tables(paper), results.layout, folder / "computed")
         return Small(paper, results)
 

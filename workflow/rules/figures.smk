@@ -54,7 +54,7 @@ def studies_read(names):
     for needed in map(needs, names):
         if needed.get("diff") or needed.get("leaderboard"):
             return [*STUDIES]
-        of = [needed.get(what, []) for what in ("tables", "points", "consistency")]
+        of = [needed.get(what, []) for what in ("tables", "points", "consistency", "bounds")]
         read |= dict.fromkeys(study for studies in of for study in studies)
     return sorted(read.keys() & STUDIES.keys())
 
@@ -103,6 +103,7 @@ def figure_inputs(names):
         found += [LAYOUT.mismatch(study) for study in needed.get("mismatch", [])]
         found += needed.get("measured", [])
         found += [LAYOUT.consistency(study) for study in needed.get("consistency", [])]
+        found += [LAYOUT.bounds(study) for study in needed.get("bounds", [])]
         found += [LAYOUT.calibration(f"{name}.csv") for name in needed.get("calibration", [])]
         if needed.get("leaderboard"):
             found += [LAYOUT.page("leaderboard.csv")]

@@ -4,6 +4,8 @@ import numpy as np
 
 from repro.kernels.compiled import kernel
 
+COLLAPSED = 1e12  # an error of a million claimed deviations: only particles that are one say so
+
 
 @kernel
 def of_particles(particles, weights, mean, components, out):
@@ -31,7 +33,7 @@ def normalised_errors(error, covariance, factors, out):
     """e' P^-1 e of each system, (systems,): error (systems, d), covariance (systems, d, d).
 
     P = L D L', L unit lower; factors (d, d + 1): scratch, L and L^-1 e. A direction in which P has
-    no variance counts nothing without an error, and infinitely with one.
+    no variance, but for rounding, counts nothing without an error, and infinitely with one.
     """
     systems, d = error.shape
     for s in range(systems):
@@ -50,3 +52,5 @@ def normalised_errors(error, covariance, factors, out):
                 out[s] += value * value / variance
             elif value != 0.0:
                 out[s] = np.inf
+        if out[s] > COLLAPSED:
+            out[s] = np.inf

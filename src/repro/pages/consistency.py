@@ -1,6 +1,6 @@
-"""Who can be trusted: the sentences on the filters' own covariances of a paper."""
+"""Who can be trusted, and how near the filters are to the best possible: sentences of a paper."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +15,13 @@ VERDICTS = {
 }
 
 
-def write_summary(rows: Iterable[Mapping[str, Any]], path: str | Path) -> None:
-    """Write a sentence on the paper and some on each study and point, from rows over all steps."""
+def write_summary(
+    rows: Iterable[Mapping[str, Any]], bounds: Sequence[Mapping[str, Any]], path: str | Path
+) -> None:
+    """Write a sentence on the paper and some on each study and point, from rows over all steps.
+
+    `bounds` are the rows of `repro.tables.bounds` for the filters that the paper proposes.
+    """
     judged = [row for row in rows if row["metric"] in ("nees", "claimed_over_true")]
     of_points: dict[tuple[str, str], list[Mapping[str, Any]]] = {}
     for row in judged:
@@ -29,7 +34,9 @@ def write_summary(rows: Iterable[Mapping[str, Any]], path: str | Path) -> None:
     ]
     text = f"Of {len(nees)} covariances that filters claim, {_listed(counts)}.\n\n"
     for (study, point), found in of_points.items():
-        text += f"- `{study}`, `{point}`. {_sentences(found)}\n"
+        text += f"- `{study}`, `{point}`. {_sentences(found)}"
+        text += _nearest([row for row in bounds if (row["study"], row["point"]) == (study, point)])
+        text += "\n"
     with atomic_write(path) as part:
         part.write_text(text, encoding="utf-8")
 
@@ -49,6 +56,21 @@ def _sentences(rows: list[Mapping[str, Any]]) -> str:
     if most is least:
         return f"{text} times the true one."
     return f"{text}, and that of {_label(most)} {most['value']:.3g}, times the true one."
+
+
+def _nearest(rows: list[Mapping[str, Any]]) -> str:
+    """For each bound of a point: the filter that is nearest to it."""
+    text = ""
+    for bound in dict.fromkeys((row["bound"], row["component"]) for row in rows):
+        of_bound = [row for row in rows if (row["bound"], row["component"]) == bound]
+        known = [row for row in of_bound if row["ratio"] == row["ratio"]]
+        if known:
+            best = min(known, key=lambda row: row["ratio"])
+            text += (
+                f" The bound of the {bound[1]} ({bound[0]}) is {best['least']:.3g}; of the "
+                f"paper's filters {_label(best)} is nearest with {best['ratio']:.3g} times that."
+            )
+    return text
 
 
 def _named(row: Mapping[str, Any], rows: list[Mapping[str, Any]]) -> str:
