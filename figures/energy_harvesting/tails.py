@@ -3,7 +3,7 @@
 from matplotlib.figure import Figure
 
 from repro.papers.energy_harvesting.compared import PAPERS_FILTERS
-from repro.papers.energy_harvesting.drawings import shown_run
+from repro.papers.energy_harvesting.shown import shown_run
 from repro.plot.tails import Panel, tails
 from repro.tables.results import Results
 
@@ -19,7 +19,7 @@ def draw(results: Results) -> Figure:
     return tails(
         results,
         [
-            Panel(study, "base", {"the shown run": shown_run(results, study)}, PAPERS_FILTERS)
+            Panel(study, "base", {"the shown run": shown_run(results, study).trial}, PAPERS_FILTERS)
             for study in NEEDS["points"]
         ],
     )

@@ -20,10 +20,10 @@ CAPTION = (
 
 
 def draw(results: Results) -> Figure:
-    figure_10 = {"Figs. 9, 10": run_of_figure_10(results, "0.9")}
+    figure_10 = {"Figs. 9, 10": run_of_figure_10(results, "0.9").trial}
     shown = [
-        (1, "0.98", {"Figs. 5, 6": run_of_figure_6(results, "0.98")}, FIGURES_3_6),
-        (1, "0.95", {"Figs. 7, 8": run_of_figure_8(results, "0.95")}, FIGURES_7_10),
+        (1, "0.98", {"Figs. 5, 6": run_of_figure_6(results, "0.98").trial}, FIGURES_3_6),
+        (1, "0.95", {"Figs. 7, 8": run_of_figure_8(results, "0.95").trial}, FIGURES_7_10),
         (1, "0.9", figure_10, FIGURES_7_10),
         (2, "0.9", figure_10, FIGURES_7_10),
     ]

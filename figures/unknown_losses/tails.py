@@ -2,7 +2,7 @@
 
 from matplotlib.figure import Figure
 
-from repro.papers.unknown_losses.drawings import typical_trial
+from repro.papers.unknown_losses.drawings import shown_run
 from repro.papers.unknown_losses.points import PICTURED
 from repro.plot.tails import Panel, tails
 from repro.tables.results import Results
@@ -23,7 +23,7 @@ def draw(results: Results) -> Figure:
             Panel(
                 "radar",
                 point,
-                {shown[point]: typical_trial(results, point)} if point in shown else {},
+                {shown[point]: shown_run(results, point).trial} if point in shown else {},
                 PICTURED["radar"],
             )
             for point in NEEDS["points"]["radar"]

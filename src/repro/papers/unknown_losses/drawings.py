@@ -152,7 +152,7 @@ def _over_time(axes: Axes, results: Results, curves: pd.DataFrame, point: str) -
         axes.plot(time, rows["median"], color=colour, label=name, **line)
         axes.fill_between(time, rows["q10"], rows["q90"], color=colour, alpha=0.1, lw=0)
         axes.plot(time, rows["value"], lw=0.7, color=colour)
-        end, error = (np.array(rows[column])[-1:] for column in ("value", "mcse"))
+        end, error = (np.asarray(rows[column])[-1:] for column in ("value", "mcse"))
         at = time.iloc[-1] * (1.02 + 0.025 * place)
         axes.errorbar(at, end, style.bars(end, error), color=colour, lw=1.0, capsize=2)
         ended = radar.STUDY.lost(results.runs("radar", point, filter_), analysis)
