@@ -6,6 +6,7 @@ from importlib import import_module
 import pandas as pd
 import pytest
 
+from repro.pages.beyond_the_paper import beyond_the_paper
 from repro.pages.markdown import markdown_cell
 from repro.pages.paper_verdicts import write_paper_verdicts
 from repro.verdicts.published import DIFF_COLUMNS, ON_EDGE, read_published
@@ -68,7 +69,19 @@ def test_one_sentence_says_why(verdict, reason, evidence, margin, sentence, tmp_
     pd.DataFrame(columns=["table"]).to_csv(tmp_path / "joint.csv", index=False)
     (tmp_path / "fig01.py").write_text('CAPTION = "shown"\n')
     diff, joint, script = (tmp_path / name for name in ("diff.csv", "joint.csv", "fig01.py"))
-    write_paper_verdicts("p", "A paper", diff, joint, [str(script)], tmp_path / "page.md")
+    pd.DataFrame(columns=["paper", "topic", "sentence"]).to_csv(tmp_path / "f.csv", index=False)
+    further = (tmp_path / "f.csv", None)
+    write_paper_verdicts("p", "A paper", diff, joint, [str(script)], *further, tmp_path / "page.md")
     (line,) = [line for line in (tmp_path / "page.md").read_text().split("\n") if "**a" in line]
     assert 'width="160" alt="fig01"></a><br>`snakemake draw --config figure=p/fig01` | ' in line
     assert rf"**a \| b.**<br>{sentence}" in line and line.count(" | ") == 2
+
+
+def test_sentences_beyond_the_paper(tmp_path):
+    findings = pd.DataFrame({"topic": ["mismatch", "tails"], "sentence": ["A <b>.", "C."]})
+    (tmp_path / "p.md").write_text("Of 2.\n\n- D.\n")
+    text = beyond_the_paper(findings, tmp_path / "p.md", {"bounds", "tails"}, "figures/p")
+    section = "\n".join(text)
+    assert section.index("- D.") < section.index("- A &lt;b") < section.index("- C.")
+    assert "best possible?** [bounds](figures/p/bounds.png)" in section
+    assert "[mismatch](" not in section and "[tails](figures/p/tails.png)" in section

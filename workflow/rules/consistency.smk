@@ -39,6 +39,10 @@ for paper, studies in CONSISTENCY.items():
             results=lambda wildcards, output, studies=studies: results_of(studies),
             made_with=lambda wildcards, studies=studies: results_with(studies),
             studies=studies,
-            code=code("repro.tables.bounds", "repro.pages.consistency", *(f"repro.studies.{s}" for s in studies)),
+            code=code(
+                "repro.tables.bounds",
+                "repro.pages.consistency",
+                *(f"repro.studies.{s}" for s in studies),
+            ),
         script:
             "../scripts/consistency.py"

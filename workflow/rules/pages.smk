@@ -39,6 +39,10 @@ rule paper_verdicts:
         diff=LAYOUT.page("diff.csv"),
         joint=LAYOUT.joint(),
         scripts=lambda wildcards: figure_scripts(wildcards.paper),
+        findings=LAYOUT.page("findings.csv"),
+        consistency=lambda wildcards: (
+            LAYOUT.consistency_summary(wildcards.paper) if CONSISTENCY[wildcards.paper] else []
+        ),
     output:
         LAYOUT.verdicts(),
     log:

@@ -8,5 +8,7 @@ with job(snakemake.log[0]):
         snakemake.input.diff,
         snakemake.input.joint,
         snakemake.input.scripts,
+        snakemake.input.findings,
+        snakemake.input.consistency or None,
         snakemake.output[0],
     )

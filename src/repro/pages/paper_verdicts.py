@@ -12,6 +12,7 @@ import numpy as np
 import pandas as pd
 
 from repro.atomic import atomic_write
+from repro.pages.beyond_the_paper import beyond_the_paper
 from repro.pages.markdown import markdown_cell, markdown_line
 from repro.pages.verdicts import EDGE, counts, word
 from repro.verdicts.published import ON_EDGE, VERDICTS
@@ -41,11 +42,14 @@ def write_paper_verdicts(
     diff: str | Path,
     joint: str | Path,
     scripts: Iterable[str],
+    findings: str | Path,
+    consistency: str | Path | None,
     path: str | Path,
 ) -> None:
     """Write the page of a paper, given the files of all verdicts and of its tables as a whole.
 
-    `scripts` are those of its figures; a picture is beside its script.
+    `scripts` are those of its figures; a picture is beside its script. `findings` and, if there is
+    one, `consistency` have the sentences of what goes beyond the paper.
     """
     table = pd.read_csv(diff, keep_default_na=False, na_values={"margin": [""]})
     table = table.loc[table["paper"] == paper]
@@ -64,6 +68,9 @@ def write_paper_verdicts(
     if others:
         text += ["", "Other figures and tables:", "", *PICTURES]
         text += [f"| {_picture(paper, f)} | {markdown_cell(captions[f])} |" for f in others]
+    found = pd.read_csv(findings)
+    found = found.loc[found["paper"] == paper]
+    text += beyond_the_paper(found, consistency, captions, f"{FIGURES}/{paper}")
     with atomic_write(path) as part:
         part.write_text("\n".join(text) + "\n", encoding="utf-8")
 
