@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 import yaml
 
+from repro.parameters.load import load_paper
 from tests.conftest import ROOT
 
 KEPT = ["Snakefile", "workflow", "src", "params", "profiles", "figures"]
@@ -139,7 +140,12 @@ class Project:
         """The families of a study's points, to change them in the copy."""
         file = self.folder / "params" / f"{paper}.yaml"
         content = yaml.safe_load(file.read_text())
-        yield content["studies"][study]["points"]
+        section = content["studies"][study]
+        judged = section.pop("consistency", {})
+        yield section["points"]
+        file.write_text(yaml.safe_dump(content, sort_keys=False))
+        left = load_paper(file).studies[study]
+        section["consistency"] = {point: why for point, why in judged.items() if point in left}
         file.write_text(yaml.safe_dump(content, sort_keys=False))
 
     def bytes_of(self, *patterns: str) -> dict[str, bytes]:

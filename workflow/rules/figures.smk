@@ -43,8 +43,9 @@ def is_drawn(name):
         return True
     points = needed.get("points", {})
     ran = REGISTRY.catalogue(*points)
-    # Of more than one point of a family.
-    whole = any(map(needed.get, ("diff", "tables", "convergence", "mismatch")))
+    # Of more than one point of a family, or of points that are left out.
+    of_many = ("diff", "tables", "convergence", "mismatch", "consistency", "bounds")
+    whole = any(map(needed.get, of_many))
     return not whole and all(ran[s].keys() >= {*points[s]} for s in points)
 
 
@@ -70,6 +71,8 @@ def sheet(name):
         return "verdicts"
     if needed.get("convergence") or needed.get("mismatch"):
         return "own_tables"
+    if needed.get("consistency") or needed.get("bounds"):
+        return "consistency"
     return "_".join(studies_read([name])) or "of_no_study"
 
 

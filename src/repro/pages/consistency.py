@@ -32,7 +32,9 @@ def write_summary(
         for verdict, meaning in VERDICTS.items()
         if any(row["verdict"] == verdict for row in nees)
     ]
-    text = f"Of {len(nees)} covariances that filters claim, {_listed(counts)}.\n\n"
+    text = "No filter claims a covariance at the points where they are judged.\n"
+    if nees:
+        text = f"Of {len(nees)} covariances that filters claim, {_listed(counts)}.\n\n"
     for (study, point), found in of_points.items():
         text += f"- `{study}`, `{point}`. {_sentences(found)}"
         text += _nearest([row for row in bounds if (row["study"], row["point"]) == (study, point)])
