@@ -6,7 +6,7 @@ from repro import plugins
 from repro.runner import run
 from repro.statistics.consistency import claimed
 from repro.studies.families import signal_strength
-from repro.studies.information import Information
+from repro.studies.families.information import Information
 from repro.tables.bounds import cramer_rao
 from tests.conftest import settings, small_log
 

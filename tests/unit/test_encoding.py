@@ -12,7 +12,7 @@ def opens_text(call):
     binary = any("b" in mode for mode in modes) or "force_zip64" in {k.arg for k in call.keywords}
     module = getattr(getattr(call.func, "value", None), "id", "")
     return name in ("read_text", "write_text") or (
-        name == "open" and not binary and module != "os"  # which gives a number, not a file of text
+        name == "open" and not binary and module not in ("os", "Image")  # no files of text
     )
 
 

@@ -63,8 +63,8 @@ def test_readmes_filter_keeps_the_contract_and_is_ranked_at_once(paper):
 def losses(project):
     """The copy with two points of the studies of the worked example."""
     for study in ("linear_losses", "radar"):
-        project.keep_values("unknown_losses", study, loss_probability=[0.3, 0.5])
         project.keep_families("unknown_losses", study, ["loss="])
+        project.keep_values("unknown_losses", study, loss_probability=[0.3, 0.5])
     project.keep_filters("ekf", "iekf", "bkf_1", "rbpf_on_radar")
     return project
 

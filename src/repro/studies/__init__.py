@@ -18,7 +18,7 @@ from repro.statistics.metrics import Statistic
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
 from repro.streams import Streams
-from repro.studies.information import Information
+from repro.studies.families.information import Information
 
 Fields = dict[str, tuple[str, ...]]  # topic -> names of its fields
 Integers = dict[str, dict[str, tuple[int, int]]]  # topic -> field -> least and greatest value

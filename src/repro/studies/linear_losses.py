@@ -21,7 +21,7 @@ from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
 from repro.studies import Fields, Integers, Rows, StreamsOf, Study
-from repro.studies.information import Information, of_model
+from repro.studies.families.information import Information, of_model
 
 COMPONENTS = ("x1", "x2")
 

@@ -22,7 +22,7 @@ from repro.statistics import metrics
 from repro.statistics.runs import Runs
 from repro.statistics.shards import Shards
 from repro.studies import Fields, Integers, Rows, StreamsOf, Study
-from repro.studies.information import Information, of_model
+from repro.studies.families.information import Information, of_model
 
 
 class Parameters(PointParameters):

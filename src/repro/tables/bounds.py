@@ -17,7 +17,7 @@ from repro.kernels import information as kernels
 from repro.statistics import metrics
 from repro.statistics.consistency import claimed
 from repro.studies import Study
-from repro.studies.information import Information
+from repro.studies.families.information import Information
 from repro.tables.csv_file import write_csv
 from repro.tables.results import Results
 

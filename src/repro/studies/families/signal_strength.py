@@ -18,7 +18,7 @@ from repro.studies.families.harvesting_sensors import (
     HarvestingParameters,
     HarvestingStudy,
 )
-from repro.studies.information import Information, mean_information
+from repro.studies.families.information import Information, mean_information
 
 Position = TypeVar("Position", bound=tuple[float, ...])
 State = TypeVar("State", bound=tuple[float, ...])
